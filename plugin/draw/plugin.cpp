@@ -1,23 +1,41 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The entry of the DRAW plugin: pload -BlossomPlugin BLOSSOM calls Factory once.
 
+#include <string>
+
 #include <Draw_PluginMacro.hxx>
 
 #include "plugin/draw/commands/commands.h"
 
+namespace blossom::draw {
+namespace {
+
+template <const Command& kCommand>
+int run(Draw_Interpretor& interpreter, int count, const char** words) {
+  return answered(interpreter, count, words, kCommand.usage, kCommand.answer);
+}
+
+template <const Command&... kCommands>
+void add(Draw_Interpretor& interpreter) {
+  (interpreter.Add(kCommands.name,
+                   (std::string(kCommands.name) + " " + kCommands.usage + kCommands.help).c_str(),
+                   ("plugin/draw/commands/" + std::string(kCommands.name) + ".cpp").c_str(),
+                   run<kCommands>, "Blossom commands"),
+   ...);
+}
+
+}  // namespace
+}  // namespace blossom::draw
+
 class BlossomDraw {
  public:
   static void Factory(Draw_Interpretor& interpreter) {
+    using namespace blossom::draw;
     static bool added = false;
     if (added) return;
     added = true;
-    for (const auto add :
-         {blossom::draw::add_blinfo, blossom::draw::add_blintersect, blossom::draw::add_bltrim,
-          blossom::draw::add_blsolid, blossom::draw::add_blsection, blossom::draw::add_bldistance,
-          blossom::draw::add_blcheck, blossom::draw::add_blsubdivide, blossom::draw::add_blfillet,
-          blossom::draw::add_blchamfer, blossom::draw::add_blblend, blossom::draw::add_blfill,
-          blossom::draw::add_blclash})
-      add(interpreter);
+    add<kBlinfo, kBlintersect, kBltrim, kBlsolid, kBlsection, kBldistance, kBlcheck, kBlsubdivide,
+        kBlfillet, kBlchamfer, kBlblend, kBlfill, kBlclash>(interpreter);
   }
 };
 

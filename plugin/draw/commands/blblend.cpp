@@ -64,26 +64,15 @@ std::string blend_answer(const Words& words) {
          " " + tcl_number(worst.normal_angle);
 }
 
-int blblend(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words,
-                  "result face_a face_b [border_a border_b [weight_a weight_b]] [G1|G2|G3]",
-                  blend_answer);
-}
-
 }  // namespace
 
-void add_blblend(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "blblend",
-      "blblend result face_a face_b [border_a border_b [weight_a weight_b]] [G1|G2|G3]"
-      "\n\t\t: the strip between two faces that continues both: their tangent planes (G1), their"
-      "\n\t\t: curvatures (G2), or the derivatives of these too (G3). Borders are edges of the "
-      "faces,"
-      "\n\t\t: their numbers in the face, umin, umax, vmin, vmax, or nearest; weights say how far "
-      "the"
-      "\n\t\t: tangents reach into the strip, 1 is its width over its degree. The answer is the"
-      "\n\t\t: borders, the gap, and the angle between normals, radians.",
-      "plugin/draw/commands/blblend.cpp", blblend, kGroup);
-}
+const Command kBlblend{
+    "blblend", "result face_a face_b [border_a border_b [weight_a weight_b]] [G1|G2|G3]",
+    "\n\t\t: the strip between two faces that continues both: their tangent planes (G1), their"
+    "\n\t\t: curvatures (G2), or the derivatives of these too (G3). Borders are edges of the faces,"
+    "\n\t\t: their numbers in the face, umin, umax, vmin, vmax, or nearest; weights say how far the"
+    "\n\t\t: tangents reach into the strip, 1 is its width over its degree. The answer is the"
+    "\n\t\t: borders, the gap, and the angle between normals, radians.",
+    blend_answer};
 
 }  // namespace blossom::draw

@@ -18,21 +18,13 @@ std::string chamfer_answer(const Words& words) {
   return blended_edges(words, options);
 }
 
-int blchamfer(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words,
-                  "result solid distance all|convex|concave|edge [edge ...]", chamfer_answer);
-}
-
 }  // namespace
 
-void add_blchamfer(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "blchamfer",
-      "blchamfer result solid distance all|convex|concave|edge [edge ...]"
-      "\n\t\t: edges of solids cut off. The distance is 2 on both faces, 2,1 on the face of the"
-      "\n\t\t: smaller number and on the other, or 2:30 with an angle in degrees. Edges and answer"
-      "\n\t\t: as those of blfillet.",
-      "plugin/draw/commands/blchamfer.cpp", blchamfer, kGroup);
-}
+const Command kBlchamfer{
+    "blchamfer", "result solid distance all|convex|concave|edge [edge ...]",
+    "\n\t\t: edges of solids cut off. The distance is 2 on both faces, 2,1 on the face of the"
+    "\n\t\t: smaller number and on the other, or 2:30 with an angle in degrees. Edges and answer"
+    "\n\t\t: as those of blfillet.",
+    chamfer_answer};
 
 }  // namespace blossom::draw

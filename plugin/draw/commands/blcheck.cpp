@@ -29,21 +29,14 @@ std::string answer_to_blcheck(const Words& words) {
   return std::to_string(count) + list;
 }
 
-int blcheck(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "shape", answer_to_blcheck);
-}
-
 }  // namespace
 
-void add_blcheck(Draw_Interpretor& interpreter) {
-  interpreter.Add("blcheck",
-                  "blcheck shape"
-                  "\n\t\t: what is wrong with a shape: validity, gaps beside the tolerances that "
-                  "it states, wires,"
-                  "\n\t\t: open edges of solids. The answer is the number of problems, 0 if it is "
-                  "sound, and each"
-                  "\n\t\t: of them as a text.",
-                  "plugin/draw/commands/blcheck.cpp", blcheck, kGroup);
-}
+const Command kBlcheck{
+    "blcheck", "shape",
+    "\n\t\t: what is wrong with a shape: validity, gaps beside the tolerances that it states, "
+    "wires,"
+    "\n\t\t: open edges of solids. The answer is the number of problems, 0 if it is sound, and each"
+    "\n\t\t: of them as a text.",
+    answer_to_blcheck};
 
 }  // namespace blossom::draw

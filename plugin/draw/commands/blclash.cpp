@@ -58,23 +58,15 @@ std::string clash_answer(const Words& words) {
   return "pairs {" + list + "} clear " + std::to_string(reports::pair_count(found) - listed);
 }
 
-int blclash(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "result clearance part part [part ...]", clash_answer);
-}
-
 }  // namespace
 
-void add_blclash(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "blclash",
-      "blclash result clearance part part [part ...]"
-      "\n\t\t: how parts, closed solids or faces, lie to each other. The answer is a Tcl "
-      "dictionary:"
-      "\n\t\t: pairs that meet, or are nearer than the clearance, each a list of the parts, of"
-      "\n\t\t: penetrates, contained, equal, touches, clear or unknown, and of the volume that"
-      "\n\t\t: they have in common, or the distance; and the number of pairs that are clear of each"
-      "\n\t\t: other by more. result is what parts have in common.",
-      "plugin/draw/commands/blclash.cpp", blclash, kGroup);
-}
+const Command kBlclash{
+    "blclash", "result clearance part part [part ...]",
+    "\n\t\t: how parts, closed solids or faces, lie to each other. The answer is a Tcl dictionary:"
+    "\n\t\t: pairs that meet, or are nearer than the clearance, each a list of the parts, of"
+    "\n\t\t: penetrates, contained, equal, touches, clear or unknown, and of the volume that"
+    "\n\t\t: they have in common, or the distance; and the number of pairs that are clear of each"
+    "\n\t\t: other by more. result is what parts have in common.",
+    clash_answer};
 
 }  // namespace blossom::draw

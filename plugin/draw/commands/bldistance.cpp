@@ -18,20 +18,12 @@ std::string answer_to_bldistance(const Words& words) {
          " " + tcl_list(found.b.point);
 }
 
-int bldistance(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "shapeA shapeB", answer_to_bldistance);
-}
-
 }  // namespace
 
-void add_bldistance(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "bldistance",
-      "bldistance shapeA shapeB"
-      "\n\t\t: the least distance of two shapes; solids are their boundaries. The answer is a "
-      "proven"
-      "\n\t\t: lower bound, the distance found, and the two points: 2 2 {0 0 1} {0 0 3}.",
-      "plugin/draw/commands/bldistance.cpp", bldistance, kGroup);
-}
+const Command kBldistance{
+    "bldistance", "shapeA shapeB",
+    "\n\t\t: the least distance of two shapes; solids are their boundaries. The answer is a proven"
+    "\n\t\t: lower bound, the distance found, and the two points: 2 2 {0 0 1} {0 0 3}.",
+    answer_to_bldistance};
 
 }  // namespace blossom::draw

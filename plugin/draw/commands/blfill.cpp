@@ -44,20 +44,13 @@ std::string answer_to_blfill(const Words& words) {
   return std::to_string(holes.size()) + list;
 }
 
-int blfill(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "result shape G0|G1|G2 [edge ...]", answer_to_blfill);
-}
-
 }  // namespace
 
-void add_blfill(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "blfill",
-      "blfill result shape G0|G1|G2 [edge ...]"
-      "\n\t\t: closes holes by patches that meet their neighbours so smoothly: every ring of open"
-      "\n\t\t: edges, or that of the numbered edges, sewn to the shape. The answer is the number of"
-      "\n\t\t: holes, and for each one the number of patches and what was reached: {4 G1}.",
-      "plugin/draw/commands/blfill.cpp", blfill, kGroup);
-}
+const Command kBlfill{
+    "blfill", "result shape G0|G1|G2 [edge ...]",
+    "\n\t\t: closes holes by patches that meet their neighbours so smoothly: every ring of open"
+    "\n\t\t: edges, or that of the numbered edges, sewn to the shape. The answer is the number of"
+    "\n\t\t: holes, and for each one the number of patches and what was reached: {4 G1}.",
+    answer_to_blfill};
 
 }  // namespace blossom::draw

@@ -18,22 +18,14 @@ std::string fillet_answer(const Words& words) {
   return blended_edges(words, options);
 }
 
-int blfillet(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words,
-                  "result solid radius|from..to all|convex|concave|edge [edge ...]", fillet_answer);
-}
-
 }  // namespace
 
-void add_blfillet(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "blfillet",
-      "blfillet result solid radius|from..to all|convex|concave|edge [edge ...]"
-      "\n\t\t: edges of solids rounded by a ball that rolls along them; 2..5: from 2 at the start"
-      "\n\t\t: of a run of edges to 5 at its end. Edges by their numbers in blinfo, that is in the"
-      "\n\t\t: order of explode. The answer is how many edges were rounded, and the volumes before"
-      "\n\t\t: and after. Where one cannot be rounded the error says why.",
-      "plugin/draw/commands/blfillet.cpp", blfillet, kGroup);
-}
+const Command kBlfillet{
+    "blfillet", "result solid radius|from..to all|convex|concave|edge [edge ...]",
+    "\n\t\t: edges of solids rounded by a ball that rolls along them; 2..5: from 2 at the start"
+    "\n\t\t: of a run of edges to 5 at its end. Edges by their numbers in blinfo, that is in the"
+    "\n\t\t: order of explode. The answer is how many edges were rounded, and the volumes before"
+    "\n\t\t: and after. Where one cannot be rounded the error says why.",
+    fillet_answer};
 
 }  // namespace blossom::draw

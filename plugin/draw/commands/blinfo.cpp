@@ -53,20 +53,13 @@ std::string answer_to_blinfo(const Words& words) {
   return list + "surfaces " + counts_list(surfaces) + " meetings " + counts_list(edges);
 }
 
-int blinfo(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "shape", answer_to_blinfo);
-}
-
 }  // namespace
 
-void add_blinfo(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "blinfo",
-      "blinfo shape"
-      "\n\t\t: what a shape is made of, as a Tcl dictionary: numbers of solids, shells, faces,"
-      "\n\t\t: edges and vertices; surfaces by their type; meetings of faces in edges (convex,"
-      "\n\t\t: concave, smooth, open, ...).",
-      "plugin/draw/commands/blinfo.cpp", blinfo, kGroup);
-}
+const Command kBlinfo{
+    "blinfo", "shape",
+    "\n\t\t: what a shape is made of, as a Tcl dictionary: numbers of solids, shells, faces,"
+    "\n\t\t: edges and vertices; surfaces by their type; meetings of faces in edges (convex,"
+    "\n\t\t: concave, smooth, open, ...).",
+    answer_to_blinfo};
 
 }  // namespace blossom::draw

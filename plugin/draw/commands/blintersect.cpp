@@ -47,21 +47,15 @@ std::string intersect_named(const Words& words) {
          contacts_list(found, occt::BorderNumbers(a), occt::BorderNumbers(b));
 }
 
-int blintersect(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "result shapeA shapeB [tolerance]", intersect_named);
-}
-
 }  // namespace
 
-void add_blintersect(Draw_Interpretor& interpreter) {
-  interpreter.Add("blintersect",
-                  "blintersect result shapeA shapeB [tolerance]"
-                  "\n\t\t: all intersections of the faces of two shapes, as a compound of edges"
-                  "\n\t\t: (and vertices at isolated contacts). The answer is the number of"
-                  "\n\t\t: curves, one across seams counted once, and complete, tolerance or"
-                  "\n\t\t: stopped; then for each isolated contact where it is and what of A and"
-                  "\n\t\t: B it is on: {{x y z} {edge 3} {face 1}}.",
-                  "plugin/draw/commands/blintersect.cpp", blintersect, kGroup);
-}
+const Command kBlintersect{
+    "blintersect", "result shapeA shapeB [tolerance]",
+    "\n\t\t: all intersections of the faces of two shapes, as a compound of edges"
+    "\n\t\t: (and vertices at isolated contacts). The answer is the number of"
+    "\n\t\t: curves, one across seams counted once, and complete, tolerance or"
+    "\n\t\t: stopped; then for each isolated contact where it is and what of A and"
+    "\n\t\t: B it is on: {{x y z} {edge 3} {face 1}}.",
+    intersect_named};
 
 }  // namespace blossom::draw

@@ -27,21 +27,13 @@ std::string answer_to_blsection(const Words& words) {
   return list;
 }
 
-int blsection(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "result shape x y z nx ny nz", answer_to_blsection);
-}
-
 }  // namespace
 
-void add_blsection(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "blsection",
-      "blsection result shape x y z nx ny nz"
-      "\n\t\t: the section of faces with the plane through x y z, as a compound of wires and"
-      "\n\t\t: vertices. The answer is the number of wires and complete, tolerance or stopped; then"
-      "\n\t\t: {closed length} or {open length} for each wire and {point {x y z}} for each "
-      "contact.",
-      "plugin/draw/commands/blsection.cpp", blsection, kGroup);
-}
+const Command kBlsection{
+    "blsection", "result shape x y z nx ny nz",
+    "\n\t\t: the section of faces with the plane through x y z, as a compound of wires and"
+    "\n\t\t: vertices. The answer is the number of wires and complete, tolerance or stopped; then"
+    "\n\t\t: {closed length} or {open length} for each wire and {point {x y z}} for each contact.",
+    answer_to_blsection};
 
 }  // namespace blossom::draw

@@ -53,20 +53,12 @@ std::string answer_to_blsolid(const Words& words) {
          tcl_number(made.total.result);
 }
 
-int blsolid(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "result cut|common|fuse|split part tool [tool ...]",
-                  answer_to_blsolid);
-}
-
 }  // namespace
 
-void add_blsolid(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "blsolid",
-      "blsolid result cut|common|fuse|split part tool [tool ...]"
-      "\n\t\t: closed solids combined. The answer is the number of solids, complete or tolerance,"
-      "\n\t\t: and their volume.",
-      "plugin/draw/commands/blsolid.cpp", blsolid, kGroup);
-}
+const Command kBlsolid{
+    "blsolid", "result cut|common|fuse|split part tool [tool ...]",
+    "\n\t\t: closed solids combined. The answer is the number of solids, complete or tolerance,"
+    "\n\t\t: and their volume.",
+    answer_to_blsolid};
 
 }  // namespace blossom::draw

@@ -32,20 +32,12 @@ std::string answer_to_blsubdivide(const Words& words) {
          std::to_string(piece->NbUKnots() - 1) + " " + std::to_string(piece->NbVKnots() - 1);
 }
 
-int blsubdivide(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "result face u1 u2 v1 v2", answer_to_blsubdivide);
-}
-
 }  // namespace
 
-void add_blsubdivide(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "blsubdivide",
-      "blsubdivide result face u1 u2 v1 v2"
-      "\n\t\t: the piece of the surface of a face on a rectangle of its parameters, as a face on "
-      "one"
-      "\n\t\t: B-spline surface. The answer is its degrees and spans in both directions: 3 3 1 1.",
-      "plugin/draw/commands/blsubdivide.cpp", blsubdivide, kGroup);
-}
+const Command kBlsubdivide{
+    "blsubdivide", "result face u1 u2 v1 v2",
+    "\n\t\t: the piece of the surface of a face on a rectangle of its parameters, as a face on one"
+    "\n\t\t: B-spline surface. The answer is its degrees and spans in both directions: 3 3 1 1.",
+    answer_to_blsubdivide};
 
 }  // namespace blossom::draw

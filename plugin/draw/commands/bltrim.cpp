@@ -62,21 +62,13 @@ std::string answer_to_bltrim(const Words& words) {
   return list;
 }
 
-int bltrim(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words,
-                  "result part above|below|inside|outside|all|N tool [tool ...]", answer_to_bltrim);
-}
-
 }  // namespace
 
-void add_bltrim(Draw_Interpretor& interpreter) {
-  interpreter.Add(
-      "bltrim",
-      "bltrim result part above|below|inside|outside|all|N tool [tool ...]"
-      "\n\t\t: the faces of a part cut by tools, and the pieces on one side; or piece N alone."
-      "\n\t\t: The answer is the number of pieces kept and complete, tolerance or stopped; then for"
-      "\n\t\t: each piece of which face it is, its side and its area: {3 above 12.5}.",
-      "plugin/draw/commands/bltrim.cpp", bltrim, kGroup);
-}
+const Command kBltrim{
+    "bltrim", "result part above|below|inside|outside|all|N tool [tool ...]",
+    "\n\t\t: the faces of a part cut by tools, and the pieces on one side; or piece N alone."
+    "\n\t\t: The answer is the number of pieces kept and complete, tolerance or stopped; then for"
+    "\n\t\t: each piece of which face it is, its side and its area: {3 above 12.5}.",
+    answer_to_bltrim};
 
 }  // namespace blossom::draw

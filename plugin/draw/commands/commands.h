@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The commands of Blossom in DRAW. Each function adds one command to the interpreter.
+// The commands of Blossom in DRAW, each in the source of its name.
 
 #pragma once
 
-#include <Draw_Interpretor.hxx>
+#include <string>
+
+#include "plugin/draw/commands/words.h"
 
 namespace blossom::draw {
 
-inline constexpr const char* kGroup = "Blossom commands";
+struct Command {
+  const char* name;
+  const char* usage;  ///< its words, for help and for errors
+  const char* help;   ///< what follows the usage there
+  /// The Tcl result. Throws WrongWords, or says by another exception why there is none.
+  std::string (*answer)(const Words& words);
+};
 
-void add_blinfo(Draw_Interpretor& interpreter);
-void add_blintersect(Draw_Interpretor& interpreter);
-void add_bltrim(Draw_Interpretor& interpreter);
-void add_blsolid(Draw_Interpretor& interpreter);
-void add_blsection(Draw_Interpretor& interpreter);
-void add_bldistance(Draw_Interpretor& interpreter);
-void add_blclash(Draw_Interpretor& interpreter);
-void add_blcheck(Draw_Interpretor& interpreter);
-void add_blsubdivide(Draw_Interpretor& interpreter);
-void add_blfillet(Draw_Interpretor& interpreter);
-void add_blchamfer(Draw_Interpretor& interpreter);
-void add_blblend(Draw_Interpretor& interpreter);
-void add_blfill(Draw_Interpretor& interpreter);
+extern const Command kBlinfo, kBlintersect, kBltrim, kBlsolid, kBlsection, kBldistance, kBlcheck,
+    kBlsubdivide, kBlfillet, kBlchamfer, kBlblend, kBlfill, kBlclash;
 
 }  // namespace blossom::draw
