@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -149,6 +150,23 @@ TEST(ChamferOfARevolvedSpline, IsMadeOfHalfCirclesAndAllEdges) {
   ASSERT_EQ(circles.size(), 2U);
   for (const int each : circles) expect_sound(chamfered(shape, {each}, 0.2));
   expect_sound(chamfered(shape, convex_edges(shape), 0.2));
+}
+
+TEST(ChamferRefuses, WithTheLargestDistanceThatWorks) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
+  for (const auto& second : {std::optional<double>{}, std::optional<double>{6}}) {
+    FilletOptions options;
+    options.chamfer = ChamferSize{12, second};
+    const FilletResult made = fillet(shape, {1}, options);
+    EXPECT_TRUE(made.solids.empty());
+    ASSERT_EQ(made.refused.size(), 1U);
+    const FilletRefusal& why = made.refused.front();
+    ASSERT_TRUE(why.largest) << why.text();
+    EXPECT_LE(*why.largest, 10);
+    EXPECT_GE(*why.largest, 9.9);
+    EXPECT_NE(why.text().find("the largest distance that works is 9.9"), std::string::npos)
+        << why.text();
+  }
 }
 
 }  // namespace

@@ -20,9 +20,13 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeHalfSpace.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <gp_Pln.hxx>
 
 #include "adapters/occt/blending/continuity.h"
 #include "adapters/occt/edge_facts.h"
@@ -117,6 +121,31 @@ TEST(FilletCorner, OfFourEdgesOfAChamferedBoxIsFilledSmoothly) {
   expect_sound(made);
   expect_smooth(made, 0);
   EXPECT_LT(made.solids.front().volume, made.volume_before);
+}
+
+// The normals of the three faces have a sum that is farther than a right angle from one of them:
+// the ball's patch reaches that far round.
+TEST(FilletCorner, OfThreeEdgesInAnAcutePeakIsASphere) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, -60), gp_Pnt(10, 10, 20)).Shape();
+  const gp_Pln slope(gp_Pnt(10, 10, 10), gp_Dir(-0.71, -0.6, 0.37));
+  const TopoDS_Shape above =
+      BRepPrimAPI_MakeHalfSpace(BRepBuilderAPI_MakeFace(slope).Face(), gp_Pnt(0, 0, 100)).Solid();
+  const TopoDS_Shape shape = BRepAlgoAPI_Cut(box, above).Shape();
+  const auto edges = edges_where(shape, [](const EdgeFacts& each) {
+    for (const gp_Pnt& end : {BRep_Tool::Pnt(TopExp::FirstVertex(each.edge)),
+                              BRep_Tool::Pnt(TopExp::LastVertex(each.edge))})
+      if (end.Distance(gp_Pnt(10, 10, 10)) < 1e-6) return true;
+    return false;
+  });
+  ASSERT_EQ(edges.size(), 3U);
+  const FilletResult made = fillet(shape, edges, {.radius = 0.5});
+  expect_sound(made);
+  expect_smooth(made, 3);  // where the strips end at the other ends of the edges
+  int spheres = 0;
+  for (const FilletFace& each : made.solids.front().faces)
+    spheres +=
+        Handle(Geom_SphericalSurface)::DownCast(BRep_Tool::Surface(each.face)).IsNull() ? 0 : 1;
+  EXPECT_EQ(spheres, 1);
 }
 
 TEST(FilletCorner, OfFourEdgesAtAnApexThatNoBallTouchesIsFilledSmoothly) {

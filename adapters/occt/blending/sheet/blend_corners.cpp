@@ -29,7 +29,8 @@ namespace {
 
 constexpr int kSecantSteps = 60;
 constexpr int kMitreSamples = 8;
-constexpr int kAxes = 24;  // directions in half a turn that a sphere's axis is chosen from
+constexpr int kCapSteps = 256;  // the middle is within about 1 / 256 then
+constexpr int kAxes = 24;       // directions in half a turn that a sphere's axis is chosen from
 
 // The distance of a point from a face's surface, positive outside of the material.
 double height_over(const TopoDS_Face& face, const Vec3& point) {
@@ -74,6 +75,21 @@ bool lies_on_ball_strip(const EndCurve& curve, const RolledStrip& strip, double 
 
 bool is_spline(const RolledStrip& strip) {
   return !Handle(Geom_BSplineSurface)::DownCast(strip.surface).IsNull();
+}
+
+// The middle of the smallest cap of the unit sphere that holds some directions: ever smaller steps
+// towards the farthest one (Badoiu and Clarkson 2003). Of normals that one half-space holds it has
+// them all within a right angle, which their sum need not.
+Vec3 middle_of(const std::vector<Vec3>& directions) {
+  Vec3 sum{};
+  for (const Vec3& each : directions) sum += each;
+  Vec3 middle = unit(sum);
+  for (int i = 1; i <= kCapSteps; ++i) {
+    const Vec3 farthest = *std::ranges::min_element(
+        directions, {}, [&](const Vec3& each) { return dot(each, middle); });
+    middle = unit(middle + (1.0 / (i + 1)) * (farthest - middle));
+  }
+  return middle;
 }
 
 // The axis across the middle of a spherical polygon whose poles are as far from it as can be.
@@ -276,18 +292,16 @@ bool BlendSheet::ball_corner(const Ring& ring) {
       return false;
   }
   std::vector<TopoDS_Vertex> feet(count);
-  Vec3 middle{};
   for (std::size_t i = 0; i < count; ++i) {
     const RolledStrip& of = strip_of(ring[i].half).strip;
     const double at = places[i];
     end_of(ring[i].half).t = {at, at};
     const Vec3 foot = vec(of.contacts[left_side(ring[i].half)].curve->Value(at).XYZ());
     feet[i] = new_vertex(foot);
-    middle += foot - centre;
   }
-  const Vec3 x = unit(middle);
   std::vector<Vec3> towards;
   for (const TopoDS_Vertex& foot : feet) towards.push_back(unit(point_of(foot) - centre));
+  const Vec3 x = middle_of(towards);
   BlendPatch patch;
   const gp_Ax3 frame(pnt(centre), dir(axis_apart(x, towards)), dir(x));
   BRep_Builder().MakeFace(patch.face, new Geom_SphericalSurface(frame, strip.radius),

@@ -57,7 +57,7 @@ class EdgeBlend(Feature):
             "Status": report["status"],
             self.DONE: report["edges"],
             "Volume": report["volume"]["after"] or 0.0,
-            "Refused": [_refusal(each) for each in report["refused"]],
+            "Refused": [_refusal(each, report["kind"]) for each in report["refused"]],
             "Notes": report["notes"],
         }
 
@@ -72,8 +72,9 @@ def positive(length, name):
     return length.Value
 
 
-def _refusal(refused):
+def _refusal(refused, kind):
     where = f"Edge{refused['edge']}: " if refused["edge"] else ""
     largest = refused["largest_radius"]
-    hint = f"; the largest radius is {largest:.6g} mm" if largest else ""
+    size = "distance" if kind == "chamfer" else "radius"
+    hint = f"; the largest {size} is {largest:.6g} mm" if largest else ""
     return f"{where}{refused['cause']}{hint}"
