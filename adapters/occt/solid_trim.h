@@ -107,8 +107,7 @@ std::string describe_open_shell(const TrimTool& tool);
 /// part, tools   each one or several solids that do not overlap; at least one tool; to split, tools
 ///               may be sheets
 /// throws        InvalidInput if an input that has to be one is no closed solid, or there is no
-///               tool; BadModel if a
-///               face cannot be converted
+///               tool; BadModel if a face cannot be converted
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation, const IntersectionOptions& options = {});
 

@@ -289,6 +289,20 @@ TEST_F(TrimSolidsCommand, RefusesPlanesThatMakeNoSense) {
   EXPECT_NE(error({"--solid", "fuse", "--plane", "0,0,1,0,0,1"}).find("fuse"), std::string::npos);
 }
 
+TEST_F(TrimSolidsCommand, SplitsByASheet) {
+  const gp_Pln slope({0, 0, 1.5}, {0, 1, 2});
+  write(BRepBuilderAPI_MakeFace(slope, -9, 9, -9, 9).Face(), "sheet.brep");
+  const Finished run = combine(
+      "sheet.brep", {"split", "-o", folder / "parts.step", "--json", folder / "split.json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const occt::Model parts = occt::read_model(folder / "parts.step");
+  EXPECT_EQ(parts.face_count(), 12);
+  const json report = json::parse(testing::text_of(folder / "split.json"));
+  EXPECT_EQ(report["solids"].size(), 2u);
+  EXPECT_NEAR(report["total"]["result"].get<double>(), 48, 1e-9);
+  EXPECT_EQ(report["total"]["tools"], 0);
+}
+
 TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
   EXPECT_NE(combine("ball.step", {"join"}).err.find("'join'"), std::string::npos);
   EXPECT_EQ(combine("ball.step", {"join"}).code, 2);
@@ -299,7 +313,9 @@ TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
   const Finished open = combine("bowl.brep", {"cut"});
   EXPECT_EQ(open.code, 2);
   EXPECT_NE(open.err.find("bowl.brep is no closed solid"), std::string::npos) << open.err;
-  EXPECT_NE(open.err.find("a sheet may be a tool of --solid split, or cut faces with --keep"), std::string::npos)
+  EXPECT_NE(open.err.find("planes by --plane; a sheet may be a tool of --solid split, or cut faces "
+                          "with --keep"),
+            std::string::npos)
       << open.err;
 }
 
