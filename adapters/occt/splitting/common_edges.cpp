@@ -30,6 +30,10 @@
 namespace blossom::occt {
 namespace {
 
+// Of the angle between faces: below it they hardly cross. Double precision tells normals apart to
+// 1e-16, and the root of that where they come from differences.
+constexpr double kLeastSine = 1e-8;
+
 constexpr int kEvenPoints = 8;  // of a curve that may keep to edges
 
 std::vector<TopoDS_Edge> edges_of(const TopoDS_Face& face) {
@@ -348,6 +352,15 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
   take(edges_of(b_[face_b]), in_a_[face_a]);
   take(edges_of(a_[face_a]), in_b_[face_b]);
   const auto near = boxed(edges, [this](const TopoDS_Edge& edge) { return this->reach(edge); });
+  // Where each face may be off by a tolerance, a curve may be by that over the sine of their angle.
+  const auto keeps_to_one = [&](const IntersectionCurve& curve) {
+    const double sine = curve.tangential ? 1 : std::sin(curve.least_angle);
+    const double off = 2 * options_.tolerances.point / std::max(sine, kLeastSine);
+    if (off <= reach_) return keeps_to(curve, near);
+    return keeps_to(curve, boxed(edges, [&](const TopoDS_Edge& edge) {
+                      return std::max(off, this->reach(edge));
+                    }));
+  };
   std::vector<std::size_t> along;
   std::optional<SurfaceProjector> on_a, on_b;
   const auto is_contact_along = [&](const IntersectionCurve& curve) {
@@ -357,7 +370,7 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
     return stands_for_contact(edges, curve, *on_a, *on_b, options_.tolerances.point);
   };
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i)
-    if (keeps_to(pair.found.curves[i], near) || is_contact_along(pair.found.curves[i]))
+    if (keeps_to_one(pair.found.curves[i]) || is_contact_along(pair.found.curves[i]))
       along.push_back(i);
   return along;
 }

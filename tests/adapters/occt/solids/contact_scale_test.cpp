@@ -8,9 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 
@@ -114,6 +117,26 @@ TEST(SolidsBetweenTouchingAndApart, MeetTheirMovedCopiesAtSmallAngles) {
     EXPECT_NEAR(common.total.result, lens * (kHeight - 0.64 * off), 1e-7 * common.total.part);
     EXPECT_EQ(common.faces.size(), 5u);  // a seam divides one of the two sides
   }
+}
+
+// A face that is turned by 5e-7 about an edge of its own which lies in the face of the part within
+// a tolerance: the curve in which both meet is up to a fifth of a unit beside that edge.
+TEST(SolidsBetweenTouchingAndApart, MeetBesideAnEdgeThatLiesInAFace) {
+  const TopoDS_Shape part = testing::box({0, 0, 0}, {5000, 2100, 100});
+  BRepBuilderAPI_MakePolygon outline;
+  for (const gp_Pnt& corner : {gp_Pnt(4700, 2100, 105), gp_Pnt(759, 1550, 105),
+                               gp_Pnt(159, 1550, 105), gp_Pnt(159, 2100 + 2.36e-3, 105)})
+    outline.Add(corner);
+  outline.Close();
+  const TopoDS_Shape tool =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()), gp_Vec(0, -1.1e-7, -108));
+  const SolidTrimResult cut = trim_solids(trim_tool(part), {trim_tool(tool)}, SolidOperation::Cut);
+  ASSERT_TRUE(cut.obstacles.empty()) << cut.obstacles.front();
+  ASSERT_EQ(cut.solids.size(), 1u);
+  EXPECT_TRUE(BRepCheck_Analyzer(cut.solids.front()).IsValid());
+  const double outline_area = 0.5 * 550 * ((4700 - 159) + (759 - 159));
+  EXPECT_NEAR(cut.total.result, 100 * (5000.0 * 2100 - outline_area), 10);
+  EXPECT_EQ(cut.faces.size(), 10u);
 }
 
 }  // namespace
