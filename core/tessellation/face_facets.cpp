@@ -27,6 +27,8 @@ constexpr double kNearSide = 0.4;
 constexpr double kSagitta = 2.5;
 // Of the deviation: borders are not made shorter than this to undo folds.
 constexpr double kShortFold = 0.5;
+// In facets: so long may borders be, where these have an aspect. Halves are not too short then.
+constexpr double kLongBorder = 1.5;
 // Of the distance of a facet: sides that are farther than this are worth dividing.
 constexpr double kLongSide = 0.4;
 
@@ -48,6 +50,8 @@ class FacetBuilder {
     if (!last) {
       std::vector<EdgeSegment> far = polygon_.too_far(surface_, options_.deviation);
       if (!far.empty()) return {std::move(far), {}};
+      std::vector<EdgeSegment> longer = long_sides();
+      if (!longer.empty()) return {std::move(longer), {}};
     }
     std::vector<Vec2> scaled_points;
     for (const Vec2& uv : polygon_.points) scaled_points.push_back(scaled(uv));
@@ -116,6 +120,20 @@ class FacetBuilder {
     for (const PolygonSide& side : polygon_.sides)
       if (side.segment.edge >= 0 && !side.straight) curved.push_back(side.segment);
     return curved;
+  }
+
+  // Where facets have an aspect, straight borders are divided as often as the facets beside them.
+  std::vector<EdgeSegment> long_sides() const {
+    std::vector<EdgeSegment> splits;
+    if (!(options_.aspect > 0)) return splits;
+    for (const PolygonSide& side : polygon_.sides) {
+      const Vec2& a = polygon_.points[index(side.from)];
+      const Vec2& b = polygon_.points[index(side.to)];
+      const Vec2 facets = facets_at(density_, 0.5 * (a + b));
+      const Vec2 d{(b[0] - a[0]) * facets[0], (b[1] - a[1]) * facets[1]};
+      if (side.segment.edge >= 0 && norm(d) > kLongBorder) splits.push_back(side.segment);
+    }
+    return splits;
   }
 
   SideWindings windings() const {

@@ -79,6 +79,56 @@ TEST(ShapeFacets, HaveSidesOfAboutTheWantedLength) {
   EXPECT_NEAR(area(facets), 1, 1e-12);
 }
 
+// A roof, bent in one direction alone, four times as long as wide.
+ShapeModel roof() {
+  ShapeModel model = square();
+  model.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 4, 0}, {0, 4, 0}};
+  const auto arch = [](double from, double to, double y) {
+    return curve_spans(BezierCurve{{{from, y, 0}, {0.5, y, 1}, {to, y, 0}}});
+  };
+  model.edges[0].curve = arch(0, 1, 0);
+  model.edges[1].curve = straight({1, 0, 0}, {1, 4, 0});
+  model.edges[2].curve = arch(1, 0, 4);
+  model.edges[3].curve = straight({0, 4, 0}, {0, 0, 0});
+  RationalBezierPatch patch{Grid<Vec4>(3, 2)};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 2; ++j) patch.points(i, j) = {0.5 * i, 4.0 * j, i == 1 ? 1.0 : 0.0, 1};
+  BezierSurface surface;
+  surface.patches = Grid<RationalBezierPatch>(1, 1);
+  surface.patches(0, 0) = patch;
+  surface.u_knots = surface.v_knots = {0, 1};
+  model.faces[0].surface = surface;
+  return model;
+}
+
+// Of all facets the most: the longest side over the height above it.
+double longest_aspect(const ShapeFacets& facets) {
+  double most = 0;
+  for (const MeshedFace& face : facets.faces)
+    for (const std::array<int, 3>& triangle : face.triangles) {
+      std::array<Vec3, 3> p;
+      for (std::size_t k = 0; k < 3; ++k)
+        p[k] = facets.points[static_cast<std::size_t>(
+            face.vertices[static_cast<std::size_t>(triangle[k])])];
+      const double side =
+          std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
+      most = std::max(most, side * side / norm(cross(p[1] - p[0], p[2] - p[0])));
+    }
+  return most;
+}
+
+TEST(ShapeFacets, AreAboutAsLongAsTheirAspectAllows) {
+  const FacetOptions plain{.deviation = 0.005, .angle = 0};
+  FacetOptions even = plain;
+  even.aspect = 2;
+  const ShapeFacets longer = shape_facets(roof(), plain), shorter = shape_facets(roof(), even);
+  EXPECT_GT(longest_aspect(longer), 20);
+  EXPECT_LT(longest_aspect(shorter), 8);
+  EXPECT_LE(shorter.distance, 0.005);
+  even.aspect = 0.5;
+  EXPECT_THROW(shape_facets(roof(), even), InvalidInput);
+}
+
 // A whole sphere: a seam, and a pole at either end of it.
 ShapeModel sphere(double radius) {
   ShapeModel model;
