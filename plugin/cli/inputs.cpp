@@ -21,6 +21,7 @@
 #include "plugin/cli/selection.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
+#include "plugin/meshes/mesh_files.h"
 #include "plugin/nets/net_json.h"
 #include "plugin/reports/repairs.h"
 
@@ -162,6 +163,10 @@ Input read_input(const std::string& text, Faces need, Repair repair) {
     throw occt::BadModel(name.file.string() +
                          ": is of nets (.json), which subdivide and convert take alone; "
                          "`blossom convert` makes a model of them");
+  if (meshes::is_mesh_file(name.file) && cli::exists(name.file))
+    throw occt::BadModel(name.file.string() +
+                         ": is of triangles, which check, intersect, query plane, query distance, "
+                         "blend fill and convert take alone");
   const std::shared_ptr<occt::Model> model = model_of(name.file);
   Input input{text, model, *model};
   input.shape = model->shape();

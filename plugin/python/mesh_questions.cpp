@@ -96,7 +96,7 @@ py::array corners_array(const NamedMesh& mesh) {
 }
 
 template <class Value>
-Value wanted(std::optional<Value> value) {
+Value with_cgal(std::optional<Value> value) {
   if (!value) throw occt::Failure("questions of meshes need CGAL, which this module lacks");
   return std::move(*value);
 }
@@ -120,7 +120,7 @@ LoadedModel::Turn turn_of(const MeshOrModel& of, const Watch& watch) {
 Answer judged(const SharedMesh& mesh, const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     const meshes::JudgedMesh found =
-        wanted(meshes::judged_mesh(mesh->mesh, [&watch] { watch.stop(); }));
+        with_cgal(meshes::judged_mesh(mesh->mesh, [&watch] { watch.stop(); }));
     return made_answer(meshes::mesh_check_report(mesh->name, mesh->mesh, found), nullptr);
   });
 }
@@ -172,7 +172,7 @@ Answer met(const SharedMesh& a, const MeshOrModel& b, const Control& control) {
     meshes::MeshPair pair{a->name, second.name(), 0, second.distance()};
     const double start = watch.seconds();
     pair.found =
-        wanted(meshes::curves_of_meshes(a->mesh, second.mesh(), [&watch] { watch.stop(); }));
+        with_cgal(meshes::curves_of_meshes(a->mesh, second.mesh(), [&watch] { watch.stop(); }));
     pair.seconds = watch.seconds() - start;
     return answer_of_curves(meshes::mesh_pair_report(pair), {pair.found}, "intersection");
   });
@@ -180,8 +180,8 @@ Answer met(const SharedMesh& a, const MeshOrModel& b, const Control& control) {
 
 using MeshPlaneWords = std::tuple<MeshTriple, MeshTriple, std::string, std::optional<double>>;
 
-Answer cut(const SharedMesh& mesh, const std::vector<MeshPlaneWords>& planes,
-           const Control& control) {
+Answer cut_mesh(const SharedMesh& mesh, const std::vector<MeshPlaneWords>& planes,
+                const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     std::vector<meshes::PlaneOfMesh> cuts;
     std::vector<meshes::MeshCurves> found;
@@ -191,7 +191,7 @@ Answer cut(const SharedMesh& mesh, const std::vector<MeshPlaneWords>& planes,
           name, plane_of({point[0], point[1], point[2]}, {normal[0], normal[1], normal[2]}),
           offset});
       one.found =
-          wanted(meshes::curves_in_plane(mesh->mesh, one.plane, [&watch] { watch.stop(); }));
+          with_cgal(meshes::curves_in_plane(mesh->mesh, one.plane, [&watch] { watch.stop(); }));
       touching = touching || one.found.touching;
       found.push_back(one.found);
     }
@@ -217,7 +217,7 @@ Answer farthest(const SharedMesh& a, const MeshOrModel& b, double tolerance,
   });
 }
 
-std::pair<SharedMesh, Answer> filled(const SharedMesh& mesh, const Control& control) {
+std::pair<SharedMesh, Answer> filled_mesh(const SharedMesh& mesh, const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     meshes::FilledMesh made = meshes::with_holes_filled(mesh->mesh, [&watch] { watch.stop(); });
     Answer answer = made_answer(meshes::mesh_fill_report(mesh->name, made), nullptr);
@@ -266,7 +266,7 @@ void add_mesh_questions(py::module_& module) {
   module.def(
       "section_mesh",
       [](const Own& mesh, const std::vector<MeshPlaneWords>& planes, const Control& control) {
-        return cut(mesh, planes, control);
+        return cut_mesh(mesh, planes, control);
       },
       arg("mesh"), arg("planes"), arg("control"));
   module.def(
@@ -281,7 +281,7 @@ void add_mesh_questions(py::module_& module) {
   module.def(
       "fill_mesh",
       [own](const Own& mesh, const Control& control) {
-        auto [made, answer] = filled(mesh, control);
+        auto [made, answer] = filled_mesh(mesh, control);
         return py::make_tuple(own(made), std::move(answer));
       },
       arg("mesh"), arg("control"));

@@ -119,7 +119,29 @@ std::string number_in(const Json& report, const char* member) {
   return report.at(member).is_null() ? "" : report.at(member).dump();
 }
 
+bool is_of_mesh(const Json& report) { return report.at("schema") == "blossom.mesh-check/1"; }
+
+std::size_t problems_of_mesh(const Json& report) {
+  std::size_t count = 0;
+  for (const char* const member :
+       {"open_sides", "non_manifold_sides", "turned_sides", "degenerate", "crossings"})
+    count += report.at(member).get<std::size_t>();
+  // Turned inside out is one, too.
+  return count == 0 && report.at("verdict") != "sound" ? 1 : count;
+}
+
 std::vector<std::string> check_fields(const Json& report) {
+  if (is_of_mesh(report))
+    return {report.at("verdict").get<std::string>(),
+            std::to_string(problems_of_mesh(report)),
+            number_in(report, "triangles"),
+            "",
+            number_in(report, "open_sides"),
+            number_in(report, "non_manifold_sides"),
+            "",
+            "",
+            "",
+            ""};
   const Json& all = report.at("summary");
   return {report.at("verdict").get<std::string>(),
           number_in(report, "problem_count"),
@@ -134,6 +156,12 @@ std::vector<std::string> check_fields(const Json& report) {
 }
 
 std::string check_words(const Json& report) {
+  if (is_of_mesh(report)) {
+    const std::size_t count = problems_of_mesh(report);
+    return report.at("verdict").get<std::string>() +
+           (count == 0 ? "" : ": " + counted(count, "problem")) + ", " +
+           counted(report.at("triangles").get<std::size_t>(), "triangle");
+  }
   const auto problems = report.at("problem_count").get<std::size_t>();
   return report.at("verdict").get<std::string>() +
          (problems == 0 ? "" : ": " + counted(problems, "problem")) + ", " +

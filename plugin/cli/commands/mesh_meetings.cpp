@@ -94,7 +94,7 @@ void mesh_model(MeshSource& input) {
   if (!made) throw UsageError(input.name() + ": its triangles took longer than --time-limit");
 }
 
-MeshCurves wanted(std::optional<MeshCurves> found) {
+MeshCurves with_cgal(std::optional<MeshCurves> found) {
   if (!found) throw UsageError("this needs CGAL, which this program lacks");
   return std::move(*found);
 }
@@ -136,7 +136,8 @@ int run_mesh_intersection(const std::string& a, const std::string& b, const Comm
   mesh_model(first);
   mesh_model(second);
   MeshPair pair{a, b, first.distance(), second.distance()};
-  pair.found = wanted(meshes::curves_of_meshes(first.mesh(), second.mesh(), stop_if_interrupted));
+  pair.found =
+      with_cgal(meshes::curves_of_meshes(first.mesh(), second.mesh(), stop_if_interrupted));
   pair.seconds = watch.seconds();
   stop_if_interrupted();
   if (!common.output.empty()) {
@@ -162,7 +163,7 @@ int run_mesh_sections(const std::string& input, const std::vector<NamedPlane>& p
   for (const NamedPlane& plane : planes) {
     stop_if_interrupted();
     PlaneOfMesh& cut = cuts.emplace_back(PlaneOfMesh{plane.name, plane.plane, plane.offset});
-    cut.found = wanted(meshes::curves_in_plane(mesh, plane.plane, stop_if_interrupted));
+    cut.found = with_cgal(meshes::curves_in_plane(mesh, plane.plane, stop_if_interrupted));
     const bool solid =
         !cut.found.curves.empty() && std::ranges::all_of(cut.found.curves, &MeshPolyline::closed);
     reports::PartSection part{short_name(input), solid, {0}, meshes::section_of(cut.found)};

@@ -83,6 +83,25 @@ TEST_F(MeshConversions, MakeCurvedPatchesOfARegion) {
             4);
 }
 
+TEST_F(MeshConversions, AreCheckedBesideModels) {
+  write_text(path("a.off"), kBox);
+  occt::quiet_messages();
+  occt::Model model;
+  model.add(BRepPrimAPI_MakeCylinder(10, 20).Shape(), "rod");
+  occt::write_model(model, path("rod.brep"));
+  const Finished ran = blossom({"check", path("a.off"), path("rod.brep")});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("not sound: 4 problems, 10 triangles"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("3 faces"), std::string::npos) << ran.out;
+}
+
+TEST_F(MeshConversions, AreRefusedByNameWhereTheyAreNoInput) {
+  write_text(path("a.off"), kBox);
+  const Finished ran = blossom({"info", path("a.off")});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("is of triangles"), std::string::npos) << ran.err;
+}
+
 TEST_F(MeshConversions, SayWhichGroupsThereAreNot) {
   write_text(path("a.off"), kBox);
   const Finished ran = blossom({"check", path("a.off#Face3")});

@@ -6,11 +6,12 @@ import os
 import sys
 
 import FreeCAD
+import Mesh
 import Part
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from claims import claim, near, run, says, valid  # noqa: E402
-from freecad.blossom import clash, drawing, make  # noqa: E402
+from freecad.blossom import clash, drawing, make, meshes  # noqa: E402
 
 V = FreeCAD.Vector
 
@@ -177,6 +178,37 @@ def wrong_lines_are_told_and_leave_nothing(document):
     claim("no object is left half made", len(document.Objects) == count)
 
 
+def mesh_objects_answer_to_questions(document):
+    scan = document.addObject("Mesh::Feature", "Scan")
+    scan.Mesh = Mesh.createBox(10, 10, 10)
+    holder = document.addObject("App::Part", "ScanHolder")
+    holder.addObject(scan)
+    holder.Placement.Base = V(100, 0, 0)
+    document.recompute()
+    claim("a box is sound", (meshes.check(scan).sound, round(meshes.check(scan).volume)) == (True, 1000))
+    cut = meshes.section(document, scan, (0, 0, 1), (0, 0, 1))
+    claim("a plane cuts it in a square", near(cut.Shape.Length, 40, 1e-9))
+    claim("where its container is", near(cut.Shape.BoundBox.Center.x, 100, 1e-6))
+    box = document.addObject("Part::Box", "Beside")
+    box.Placement.Base = V(95, -5, 0)
+    document.recompute()
+    low, high = meshes.distance(scan, box).bounds
+    claim("as far from a box as they are", low <= 5 <= high + 1e-9 and high < 5.5)
+    curves = meshes.intersection(document, scan, box)
+    claim("they meet", curves.Shape.Edges)
+    opened = Mesh.Mesh([facet.Points for facet in scan.Mesh.Facets][2:])
+    torn = document.addObject("Mesh::Feature", "Torn")
+    torn.Mesh = opened
+    whole = meshes.filled(document, torn)
+    claim("its holes are filled", whole.Mesh.isSolid() and near(whole.Mesh.Volume, 1000, 1e-6))
+    try:
+        meshes.section(document, scan, (0, 0, 50), (0, 0, 1))
+        said = ""
+    except ValueError as error:
+        said = str(error)
+    claim("what is not there is an error", "they do not meet" in said)
+
+
 run(
     chamfer_cuts_edges_off,
     fillets_may_change_and_be_conics,
@@ -184,4 +216,5 @@ run(
     clash_follows_containers_and_refuses_faces,
     mesh_is_of_freecads_kind,
     wrong_lines_are_told_and_leave_nothing,
+    mesh_objects_answer_to_questions,
 )
