@@ -40,9 +40,12 @@ function(blossom_unity target)
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # The compiler takes a source that is included for a header, whose classes many sources would see.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    # The compiler takes a source that is included for a header, whose classes many sources would see; and
+    # the more it sees at once, the more often GCC 12 takes an optional that is set for one that is not.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-maybe-uninitialized)
+    # It looks for memory that it may use again, a fifteenth of its work, only beyond this many kB.
+    target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=1048576)
   endif()
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Installs what is missing, builds Blossom and its samples, runs them and says where results are.
+# Installs what is missing, builds the program and the samples, runs them and says where results are.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../tests/support/setup.sh"
 
@@ -11,7 +11,7 @@ step "configure"
 configure release
 
 step "build"
-cmake --build "$build" -j "$(build_jobs)" --target installable samples
+cmake --build "$build" -j "$(build_jobs)" --target blossom samples
 
 step "sample: evaluate by blossom"
 "$build/samples/01_evaluate_by_blossom"

@@ -8,9 +8,9 @@
 namespace blossom::cli {
 namespace {
 
-volatile std::sig_atomic_t asked = 0;
+volatile std::sig_atomic_t stop_asked = 0;
 
-extern "C" void remember_signal(int) { asked = 1; }
+extern "C" void remember_signal(int) { stop_asked = 1; }
 
 }  // namespace
 
@@ -20,7 +20,7 @@ void watch_for_interruption() {
   if (std::signal(SIGHUP, remember_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
-bool interrupted() { return asked != 0; }
+bool interrupted() { return stop_asked != 0; }
 
 void stop_if_interrupted() {
   if (interrupted()) throw Interrupted();

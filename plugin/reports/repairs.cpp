@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kListed = 10;
 
 // Two figures tell how much.
-std::string rounded(double length) {
+std::string length_text(double length) {
   std::ostringstream text;
   text << std::setprecision(2) << length;
   return text.str();
@@ -46,11 +46,11 @@ std::string summary_of(const occt::Repairs& repairs) {
   std::vector<std::string> parts;
   if (const std::size_t remade = repairs.remade.size(); remade > 0)
     parts.push_back(counted(remade, "parameter curve") + " recomputed (up to " +
-                    rounded(repairs.largest_gap()) + ")");
+                    length_text(repairs.largest_gap()) + ")");
   if (const std::size_t raised = repairs.edges.size() + repairs.vertices.size(); raised > 0) {
     const std::string noun = raised == 1 ? " tolerance" : " tolerances";
     parts.push_back(std::to_string(raised) + noun + " raised (up to " +
-                    rounded(repairs.largest_tolerance()) + ")");
+                    length_text(repairs.largest_tolerance()) + ")");
   }
   const std::size_t added = added_count(repairs), missing = repairs.missing.size() - added;
   if (added > 0) parts.push_back(counted(added, "missing parameter curve") + " made");
@@ -66,12 +66,12 @@ std::string summary_of(const occt::Repairs& repairs) {
 std::vector<std::string> details_of(const occt::Repairs& repairs) {
   std::vector<std::string> lines;
   const auto raised = [](const occt::Repairs::RaisedTolerance& each) {
-    return std::to_string(each.number) + " (" + rounded(each.tolerance) + ")";
+    return std::to_string(each.number) + " (" + length_text(each.tolerance) + ")";
   };
   add_line(
       "parameter curves recomputed", repairs.remade,
       [](const occt::Repairs::RemadeCurve& each) {
-        return place_of(each.face, each.edge) + " (" + rounded(each.gap) + ")";
+        return place_of(each.face, each.edge) + " (" + length_text(each.gap) + ")";
       },
       lines);
   add_line("tolerances raised of edges", repairs.edges, raised, lines);

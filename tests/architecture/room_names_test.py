@@ -46,7 +46,7 @@ def parameter_types(text):
 
 def names(text):
     """Each name that a file's unnamed namespaces define, with what else has to differ."""
-    lines, inside = text.split("\n"), False
+    lines, inside = re.sub(r"Handle\((\w+)\)", r"Handle_\1", text).split("\n"), False
     for i, line in enumerate(lines):
         if line == "namespace {":
             inside = True

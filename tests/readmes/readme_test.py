@@ -23,6 +23,7 @@ folder = Path(given.folder)
 ELSEWHERE = {
     "samples/run.sh": "people and continuous integration",
     "tests/run.sh": "this test is a part of it",
+    "cmake --build build/release --target installable": "tests/package.sh",
     "sudo cmake --install build/release": "install.staged",
     "cpack --config build/release/CPackConfig.cmake": "tests/package.sh",
     f"sudo apt install ./build/release/blossom_{given.version}_amd64.deb": "tests/package.sh",

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <gtest/gtest.h>
 #include <Geom_Circle.hxx>
@@ -15,6 +14,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "tests/adapters/occt/convert/surfaces_samples.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
@@ -23,7 +23,8 @@ using testing::NamedCurve;
 using testing::Random;
 using testing::uniform;
 
-constexpr double kPi = std::numbers::pi;
+using testing::gap;
+using testing::kPi;
 
 /// The point of a span at local parameter t, by de Casteljau in long double.
 Vec3 reference_point(const RationalBezierCurve& curve, double t) {
@@ -37,8 +38,6 @@ Vec3 reference_point(const RationalBezierCurve& curve, double t) {
   return {static_cast<double>(p[0] / p[3]), static_cast<double>(p[1] / p[3]),
           static_cast<double>(p[2] / p[3])};
 }
-
-double gap(const Vec3& a, const gp_Pnt& b) { return distance(a, Vec3{b.X(), b.Y(), b.Z()}); }
 
 double size_of(const CurveSpans& curve) {
   double size = 0;

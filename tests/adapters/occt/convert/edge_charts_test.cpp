@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Curves of edges in the parameters of faces are those that Open CASCADE has or makes.
 #include "adapters/occt/convert/edge_charts.h"
+#include "tests/support/measures.h"
 
 #include <gtest/gtest.h>
-
-#include <numbers>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -23,7 +22,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 // Of all edges of a shape of faces; their number.
 int expect_as_occt_has_them(const TopoDS_Shape& shape) {

@@ -2,9 +2,9 @@
 // Makers of sample curves and surfaces.
 
 #include "tests/adapters/occt/convert/surfaces_samples.h"
+#include "tests/support/measures.h"
 
 #include <array>
-#include <numbers>
 
 #include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
@@ -31,7 +31,7 @@
 namespace blossom::testing {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 gp_Pnt random_point(Random& random) {
   return {uniform(random, -5, 5), uniform(random, -5, 5), uniform(random, -5, 5)};

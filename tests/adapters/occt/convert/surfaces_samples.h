@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -19,14 +18,9 @@
 
 #include "adapters/occt/convert/surfaces.h"
 #include "core/math/interval.h"
+#include "tests/support/random.h"
 
 namespace blossom::testing {
-
-using Random = std::mt19937_64;
-
-inline double uniform(Random& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
 
 struct NamedCurve {
   std::string name;

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -23,6 +22,7 @@
 #include "adapters/occt/base/errors.h"
 #include "core/forms/algebra/conversion.h"
 #include "tests/adapters/occt/convert/surfaces_samples.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
@@ -31,10 +31,9 @@ using testing::NamedSurface;
 using testing::Random;
 using testing::uniform;
 
-constexpr double kPi = std::numbers::pi;
+using testing::gap;
+using testing::kPi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double gap(const Vec3& a, const gp_Pnt& b) { return distance(a, Vec3{b.X(), b.Y(), b.Z()}); }
 
 /// Largest distance to the surface at equal parameters, over random places and all corners.
 double largest_gap(const BezierSurface& found, const Handle(Geom_Surface) & surface,

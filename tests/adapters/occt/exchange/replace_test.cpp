@@ -20,9 +20,12 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/shapes.h"
 #include "tests/adapters/occt/exchange/shapes_files.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
+
+using testing::volume;
 
 using testing::Folder;
 using testing::story;
@@ -46,12 +49,6 @@ std::vector<TopoDS_Face> halves(const TopoDS_Face& face) {
     return TopoDS::Face(made.Oriented(face.Orientation()));
   };
   return {half(a, b, diagonal), half(c, d, diagonal.Reversed())};
-}
-
-double volume(const TopoDS_Shape& shape) {
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(shape, properties);
-  return properties.Mass();
 }
 
 int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {

@@ -28,19 +28,16 @@
 #include "adapters/occt/shapes.h"
 #include "tests/adapters/occt/convert/surfaces_samples.h"
 #include "tests/adapters/occt/exchange/shapes_files.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
 
+using testing::volume;
+
 namespace fs = std::filesystem;
 using testing::Folder;
 using testing::story;
-
-double volume(const TopoDS_Shape& shape) {
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(shape, properties);
-  return properties.Mass();
-}
 
 int solids(const TopoDS_Shape& shape) {
   int count = 0;

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -38,11 +37,12 @@
 #include <gp_Pln.hxx>
 
 #include "core/math/quadrature.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 // A bicubic wave of 5 x 3 spans with simple knots.
 TopoDS_Face wave() {

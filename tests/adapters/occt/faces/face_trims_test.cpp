@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -32,11 +31,12 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/pcurves.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 TopoDS_Face square() { return BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4); }
 

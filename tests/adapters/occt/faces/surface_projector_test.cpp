@@ -26,7 +26,7 @@ TopoDS_Face bare(const Handle(Geom_Surface) & surface) {
 }
 
 // A bicubic wave over the unit square.
-Handle(Geom_Surface) wave() {
+Handle(Geom_Surface) wave_surface() {
   TColgp_Array2OfPnt poles(1, 4, 1, 4);
   for (int i = 1; i <= 4; ++i)
     for (int k = 1; k <= 4; ++k)
@@ -42,7 +42,7 @@ Handle(Geom_Surface) wave() {
 Vec3 on(const SurfaceProjector& feet, const Vec2& uv) { return frame_at(feet.surface(), uv).point; }
 
 TEST(SurfaceProjector, FindsAPointOfTheSurfaceFromAPlaceNearIt) {
-  const SurfaceProjector feet(bare(wave()), Precision::Confusion());
+  const SurfaceProjector feet(bare(wave_surface()), Precision::Confusion());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> part(0.05, 0.95), aside(-0.05, 0.05);
   for (int i = 0; i < 200; ++i) {
@@ -53,7 +53,7 @@ TEST(SurfaceProjector, FindsAPointOfTheSurfaceFromAPlaceNearIt) {
 }
 
 TEST(SurfaceProjector, FindsThePointWhateverPlaceIsGiven) {
-  const SurfaceProjector feet(bare(wave()), Precision::Confusion());
+  const SurfaceProjector feet(bare(wave_surface()), Precision::Confusion());
   std::mt19937 random(2);
   std::uniform_real_distribution<double> part(0, 1);
   for (int i = 0; i < 200; ++i) {
@@ -64,7 +64,7 @@ TEST(SurfaceProjector, FindsThePointWhateverPlaceIsGiven) {
 
 // A point off the surface has one nearest point, not the next one by.
 TEST(SurfaceProjector, SearchesAllOfTheSurfaceForPointsThatAreNotOnIt) {
-  const SurfaceProjector feet(bare(wave()), Precision::Confusion());
+  const SurfaceProjector feet(bare(wave_surface()), Precision::Confusion());
   const Vec3 above{0.3, 0.6, 0.7};
   const Vec2 wanted = feet.foot(above, {});
   for (const Vec2& near : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}})

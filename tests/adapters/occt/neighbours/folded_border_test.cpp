@@ -25,9 +25,9 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kWidth = 2;      // of both faces, along the edge
-constexpr double kEdge = 4;       // where the edge is, in x
-constexpr double kNarrow = 1e-7;  // the last span of the floor, its parameters
+constexpr double kWidth = 2;        // of both faces, along the edge
+constexpr double kEdge = 4;         // where the edge is, in x
+constexpr double kLastSpan = 1e-7;  // the last span of the floor, its parameters
 constexpr double kEdgeTolerance = 4e-7;
 
 struct Knots {
@@ -105,7 +105,7 @@ std::vector<TopoDS_Face> floor_that_folds_and_sheet(double fold) {
   const TopoDS_Edge left = edge_at({0, 0, 0}), common = edge_at({kEdge, 0, 0}),
                     top = edge_at({2, 0, 3});
   const auto floor = moved_along_y({{0, 0, 0}, {kEdge + fold, 0, 0}, {kEdge, 0, 0}},
-                                   {{0, 1, 1 + kNarrow}, {2, 1, 2}}, 1);
+                                   {{0, 1, 1 + kLastSpan}, {2, 1, 2}}, 1);
   const auto sheet =
       moved_along_y({{kEdge, 0, 0}, {7, 0, 0}, {7, 0, 4}, {2, 0, 3}}, {{0, 1}, {4, 4}}, 3);
   const std::vector<TopoDS_Face> faces{face_between(floor, left, common),

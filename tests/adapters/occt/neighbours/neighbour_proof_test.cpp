@@ -171,10 +171,10 @@ TEST(NeighbourProof, KnowsAnEdgeByItsOwnCurvesInTheCharts) {
 
 // A plate between a line and a circle that leave its tip nearly in one direction.
 TEST(NeighbourProof, LeavesNothingBesideEdgesThatMeetAtASmallAngle) {
-  constexpr double kRadius = 10, kAngle = 1e-3, kEnd = 6;
-  const gp_Pnt centre(-kRadius * std::sin(kAngle), kRadius * std::cos(kAngle), 0);
-  const gp_Circ circle(gp_Ax2(centre, gp_Dir(0, 0, 1)), kRadius);
-  const double up = centre.Y() - std::sqrt(kRadius * kRadius - std::pow(kEnd - centre.X(), 2));
+  constexpr double kBend = 10, kAngle = 1e-3, kEnd = 6;
+  const gp_Pnt centre(-kBend * std::sin(kAngle), kBend * std::cos(kAngle), 0);
+  const gp_Circ circle(gp_Ax2(centre, gp_Dir(0, 0, 1)), kBend);
+  const double up = centre.Y() - std::sqrt(kBend * kBend - std::pow(kEnd - centre.X(), 2));
   const gp_Pnt tip(0, 0, 0), end(kEnd, 0, 0), top(kEnd, up, 0);
   BRepBuilderAPI_MakeWire outline(BRepBuilderAPI_MakeEdge(tip, end).Edge(),
                                   BRepBuilderAPI_MakeEdge(end, top).Edge(),

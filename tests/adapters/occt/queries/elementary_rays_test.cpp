@@ -28,19 +28,13 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/ray_casting.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr double kTolerance = 1e-7;
-
-std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
-  std::vector<TopoDS_Face> faces;
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
-    faces.push_back(TopoDS::Face(it.Current()));
-  return faces;
-}
 
 // A face on a surface that ends after one turn, or before, and has no period.
 TopoDS_Face trimmed(const Handle(Geom_Surface) & surface, double v_from, double v_to) {

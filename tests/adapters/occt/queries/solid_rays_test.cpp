@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/queries/solid_rays.h"
+#include "adapters/occt/intersection_edges.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +13,6 @@
 
 namespace blossom::occt {
 namespace {
-
-std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
-  std::vector<TopoDS_Face> faces;
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
-    faces.push_back(TopoDS::Face(it.Current()));
-  return faces;
-}
 
 TEST(SolidRays, TellInsideFromOutside) {
   SolidRays box(faces_of(BRepPrimAPI_MakeBox(1, 2, 3).Shape()), 1e-7);

@@ -34,9 +34,12 @@
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "tests/adapters/occt/exchange/shapes_files.h"
+#include "tests/support/loose_shapes.h"
 
 namespace blossom::occt {
 namespace {
+
+using testing::cylinder_with_wide_rim;
 
 constexpr double kPi = std::numbers::pi;
 const IntersectionOptions kOptions;
@@ -44,19 +47,6 @@ const WorkLimit kNoLimit(kOptions);
 
 double largest_tolerance(const TrimTool& solid, TopAbs_ShapeEnum kind) {
   return BRep_Tool::MaxTolerance(solid.solids.front(), kind);
-}
-
-// A cylinder of radius and height 1, whose upper rim's curve in space is too wide by `off`.
-TopoDS_Shape cylinder_with_wide_rim(double off) {
-  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 1).Shape();
-  for (TopExp_Explorer it(cylinder, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
-    double first = 0, last = 0;
-    const auto circle = Handle(Geom_Circle)::DownCast(BRep_Tool::Curve(edge, first, last));
-    if (circle.IsNull() || circle->Location().Z() < 0.5) continue;
-    BRep_Builder().UpdateEdge(edge, new Geom_Circle(circle->Position(), 1 + off), 1e-7);
-  }
-  return cylinder;
 }
 
 TopoDS_Shape box_of_loose_edges(double tolerance) {

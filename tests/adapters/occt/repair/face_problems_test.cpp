@@ -18,6 +18,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <gp_Pln.hxx>
 
 #include "adapters/occt/soundness.h"
 

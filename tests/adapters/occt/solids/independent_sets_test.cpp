@@ -5,13 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
-#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
@@ -21,15 +19,14 @@
 #include <TopoDS_Compound.hxx>
 
 #include "adapters/occt/solid_trim.h"
+#include "tests/adapters/occt/solids/solid_contacts.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-TopoDS_Shape box(const gp_Pnt& from, const gp_Pnt& to) {
-  return BRepPrimAPI_MakeBox(from, to).Shape();
-}
+using testing::box;
+using testing::kPi;
 
 // A cylinder along x.
 TopoDS_Shape rod(double from, double to, double radius) {

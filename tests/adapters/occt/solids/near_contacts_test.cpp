@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -28,14 +27,15 @@
 
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/solids/kept_tolerances.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
-void expect_volume(const TopoDS_Shape& a, const TopoDS_Shape& b, SolidOperation operation,
-                   double volume) {
+void expect_sound_volume(const TopoDS_Shape& a, const TopoDS_Shape& b, SolidOperation operation,
+                         double volume) {
   const SolidTrimResult made = trim_solids(trim_tool(a), {trim_tool(b)}, operation);
   ASSERT_EQ(made.obstacles.empty() ? std::string() : made.obstacles.front(), "");
   EXPECT_NEAR(made.total.result, volume, 1e-6 * volume);
@@ -64,11 +64,11 @@ TEST(NearContacts, ACylinderThroughTheCornersOfACubeMayMissThemByALittle) {
             .Shape();
     const double of_cube = 125000, of_cylinder = kPi * r * r * height;
     const double common = half_a_cube_and_a_segment(r);
-    expect_volume(cube, cylinder, SolidOperation::Common, common);
-    expect_volume(cylinder, cube, SolidOperation::Common, common);
-    expect_volume(cube, cylinder, SolidOperation::Cut, of_cube - common);
-    expect_volume(cylinder, cube, SolidOperation::Cut, of_cylinder - common);
-    expect_volume(cube, cylinder, SolidOperation::Fuse, of_cube + of_cylinder - common);
+    expect_sound_volume(cube, cylinder, SolidOperation::Common, common);
+    expect_sound_volume(cylinder, cube, SolidOperation::Common, common);
+    expect_sound_volume(cube, cylinder, SolidOperation::Cut, of_cube - common);
+    expect_sound_volume(cylinder, cube, SolidOperation::Cut, of_cylinder - common);
+    expect_sound_volume(cube, cylinder, SolidOperation::Fuse, of_cube + of_cylinder - common);
   }
 }
 
@@ -81,8 +81,8 @@ TEST(NearContacts, EdgesThatRunAlongEachOtherWithinWhatTheyStateAreOne) {
   for (const TopoDS_Shape& shape : {low, high})
     for (const TopAbs_ShapeEnum kind : {TopAbs_EDGE, TopAbs_VERTEX})
       ShapeFix_ShapeTolerance().SetTolerance(shape, kStated, kind);
-  expect_volume(low, high, SolidOperation::Fuse, 2);
-  expect_volume(high, low, SolidOperation::Fuse, 2);
+  expect_sound_volume(low, high, SolidOperation::Fuse, 2);
+  expect_sound_volume(high, low, SolidOperation::Fuse, 2);
 }
 
 // A block of 60 by 75 round one edge with a radius of 12.5, 50 long; the round goes past the line
@@ -118,10 +118,10 @@ TEST(NearContacts, RoundsThatGoALittlePastTheirTangentAreDividedAtTheirEdges) {
         BRepPrimAPI_MakePrism(rounded_profile({0, 0, 0}, {0, 1, 0}, 60, rise), gp_Vec(50, 0, 0));
     const TopoDS_Shape b =
         BRepPrimAPI_MakePrism(rounded_profile({0, 0, 0}, {1, 0, 0}, 50, 0), gp_Vec(0, 60, 0));
-    expect_volume(a, b, SolidOperation::Common, common);
-    expect_volume(a, b, SolidOperation::Cut, of_a - common);
-    expect_volume(b, a, SolidOperation::Cut, of_b - common);
-    expect_volume(b, a, SolidOperation::Fuse, of_a + of_b - common);
+    expect_sound_volume(a, b, SolidOperation::Common, common);
+    expect_sound_volume(a, b, SolidOperation::Cut, of_a - common);
+    expect_sound_volume(b, a, SolidOperation::Cut, of_b - common);
+    expect_sound_volume(b, a, SolidOperation::Fuse, of_a + of_b - common);
   }
 }
 
@@ -168,10 +168,10 @@ TEST(NearContacts, CrossedEqualCylindersThatTouchEachOthersRimsAreDividedInBothO
       BRepPrimAPI_MakeCylinder(gp_Ax2({r, 0, 0}, {-1, 0, 0}, {0, 0, 1}), r, 2 * r).Shape();
   const TopoDS_Shape upright =
       BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -r}, {0, 0, 1}, {1, 0, 0}), r, 2 * r).Shape();
-  expect_volume(lying, upright, SolidOperation::Cut, of_each - common);
-  expect_volume(upright, lying, SolidOperation::Cut, of_each - common);
-  expect_volume(lying, upright, SolidOperation::Common, common);
-  expect_volume(upright, lying, SolidOperation::Fuse, 2 * of_each - common);
+  expect_sound_volume(lying, upright, SolidOperation::Cut, of_each - common);
+  expect_sound_volume(upright, lying, SolidOperation::Cut, of_each - common);
+  expect_sound_volume(lying, upright, SolidOperation::Common, common);
+  expect_sound_volume(upright, lying, SolidOperation::Fuse, 2 * of_each - common);
 }
 
 // The cone's base rim passes the pole of a ball, in which a curve of a millionth closes round it.

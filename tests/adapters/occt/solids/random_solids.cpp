@@ -50,7 +50,7 @@ gp_Dir axis(Random& random) {
   return std::array{gp::DX(), gp::DY(), gp::DZ()}[static_cast<std::size_t>(pick(random, 0, 2))];
 }
 
-gp_Trsf turned(const gp_Dir& about, double angle) {
+gp_Trsf turning(const gp_Dir& about, double angle) {
   gp_Trsf made;
   made.SetRotation(gp_Ax1(gp::Origin(), about), angle);
   return made;
@@ -67,12 +67,12 @@ gp_Trsf random_turn(Random& random) {
   const double kind = uniform(random, 0, 1);
   if (kind < 0.35) return {};
   const auto multiple = [&](int parts) {
-    return turned(axis(random), pick(random, 1, 4 * parts - 1) * pi / (2 * parts));
+    return turning(axis(random), pick(random, 1, 4 * parts - 1) * pi / (2 * parts));
   };
   if (kind < 0.6) return multiple(1);
   if (kind < 0.7) return multiple(2);
   if (kind < 0.8) return multiple(3);
-  return turned(direction(random), uniform(random, 0, 2 * pi));
+  return turning(direction(random), uniform(random, 0, 2 * pi));
 }
 
 SimpleSolid random_solid(Random& random) {
@@ -278,7 +278,7 @@ SolidJob random_job(Random& random) {
   if (chance(random, 0.05)) {
     const gp_Dir about = direction(random);
     job.turn = power_of_ten(random, -10, -4);
-    job.b.place = turned(about, job.turn) * job.b.place;
+    job.b.place = turning(about, job.turn) * job.b.place;
   }
   job.world = random_world(random);
   job.off *= job.scale();

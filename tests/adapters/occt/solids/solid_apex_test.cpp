@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -14,11 +13,12 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 
 #include "adapters/occt/solid_trim.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 TrimTool cone(double low, double high) {
   return trim_tool(BRepPrimAPI_MakeCone(low, high, 1).Shape());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tests/adapters/occt/solids/solid_contacts.h"
+#include "tests/support/measures.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
@@ -33,7 +33,7 @@ namespace {
 
 using Maker = std::function<TopoDS_Shape()>;
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 const gp_Pnt kOrigin(0, 0, 0);
 constexpr double kOverEllipses = 5e-8;    // of volumes, by the integrals of Open CASCADE
 constexpr double kOverHyperbolas = 5e-8;  // of volumes, above curves that are fitted

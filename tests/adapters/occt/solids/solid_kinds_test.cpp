@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -29,11 +28,12 @@
 
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/solid_trim.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 SolidTrimResult combined_solids(const TopoDS_Shape& a, const TopoDS_Shape& b,
                                 SolidOperation operation) {

@@ -22,16 +22,16 @@ SplitSolid faces_as_pieces(const char* name, const TrimTool& box, const std::vec
 }
 
 // Its faces are those at x = low and high, then y, then z.
-TrimTool box(const gp_Pnt& low, const gp_Pnt& high) {
+TrimTool box_tool(const gp_Pnt& low, const gp_Pnt& high) {
   return trim_tool(BRepPrimAPI_MakeBox(low, high).Shape());
 }
 
 TEST(SolidSides, AreThoseThatRaysFromOnePieceAgreeOnWhereTheOtherHasNone) {
-  const TrimTool small = box({1, 1, 5}, {3, 3, 15});
+  const TrimTool small = box_tool({1, 1, 5}, {3, 3, 15});
   const std::optional<gp_Pnt> on_wall = point_inside(small.faces[0]);
   ASSERT_TRUE(on_wall);
   // Where rays from a wall start the large box ends, so that none of them is certain.
-  const TrimTool large = box({0, 0, 0}, {10, 10, on_wall->Z()});
+  const TrimTool large = box_tool({0, 0, 0}, {10, 10, on_wall->Z()});
   SplitSolid b = faces_as_pieces("tool", large, {});
   for (const std::vector<int>& faces : {std::vector{4}, std::vector{4, 0}, std::vector{0, 4}}) {
     SplitSolid a = faces_as_pieces("part", small, faces);

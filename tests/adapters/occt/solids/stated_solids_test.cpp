@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
 
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -19,11 +18,12 @@
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 constexpr int kPieces = 256;  // of a curve
 
 struct Piece {
