@@ -112,15 +112,28 @@ void chain_wires(PlaneSection& section, const Vec3& normal) {
 
 namespace {
 
-// In coordinates of the plane, each point once.
-std::vector<Vec2> polygon_of(const PlaneSection& section, const SectionWire& wire, const Vec3& x,
-                             const Vec3& y) {
-  std::vector<Vec2> polygon;
+// A closed wire in coordinates of the plane, each point once, and its box; empty of an open one.
+struct Polygon {
+  std::vector<Vec2> points;
+  Vec2 low{}, high{};
+};
+
+Polygon polygon_of(const PlaneSection& section, const SectionWire& wire, const Vec3& x,
+                   const Vec3& y) {
+  Polygon polygon;
+  if (!wire.closed) return polygon;
   for (const CurveUse& use : wire.uses) {
     std::vector<Vec3> samples = section.curves[use.curve].samples;
     if (!use.forward) std::ranges::reverse(samples);
     for (std::size_t i = 0; i + 1 < samples.size(); ++i)
-      polygon.push_back({dot(samples[i], x), dot(samples[i], y)});
+      polygon.points.push_back({dot(samples[i], x), dot(samples[i], y)});
+  }
+  if (polygon.points.empty()) return polygon;
+  for (const int k : {0, 1}) {
+    const auto coordinate = [k](const Vec2& p) { return p[k]; };
+    const auto [low, high] = std::ranges::minmax_element(polygon.points, {}, coordinate);
+    polygon.low[k] = (*low)[k];
+    polygon.high[k] = (*high)[k];
   }
   return polygon;
 }
@@ -135,6 +148,11 @@ double signed_area(const std::vector<Vec2>& polygon) {
   return area;
 }
 
+bool box_holds(const Polygon& polygon, const Vec2& point) {
+  return polygon.low[0] <= point[0] && point[0] <= polygon.high[0] && polygon.low[1] <= point[1] &&
+         point[1] <= polygon.high[1];
+}
+
 bool holds(const std::vector<Vec2>& polygon, const Vec2& point) {
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -146,9 +164,13 @@ bool holds(const std::vector<Vec2>& polygon, const Vec2& point) {
 }
 
 // Of wires that touch, a point of one may lie on the other: most of its points decide.
-bool lies_in(const std::vector<Vec2>& one, const std::vector<Vec2>& other) {
-  const auto inside = std::ranges::count_if(one, [&](const Vec2& p) { return holds(other, p); });
-  return 2 * static_cast<std::size_t>(inside) > one.size();
+// Most wires lie beside each other, which their boxes tell.
+bool lies_in(const Polygon& one, const Polygon& other) {
+  for (const int k : {0, 1})
+    if (one.high[k] < other.low[k] || other.high[k] < one.low[k]) return false;
+  const auto inside = std::ranges::count_if(
+      one.points, [&](const Vec2& p) { return box_holds(other, p) && holds(other.points, p); });
+  return 2 * static_cast<std::size_t>(inside) > one.points.size();
 }
 
 }  // namespace
@@ -157,15 +179,14 @@ void orient_wires(PlaneSection& section, const Plane& plane) {
   const Vec3 n = unit(plane.normal);
   const Vec3 x = unit(cross(n, std::abs(n[0]) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
   const Vec3 y = cross(n, x);
-  std::vector<std::vector<Vec2>> polygons;
-  for (const SectionWire& wire : section.wires)
-    polygons.push_back(wire.closed ? polygon_of(section, wire, x, y) : std::vector<Vec2>{});
+  std::vector<Polygon> polygons;
+  for (const SectionWire& wire : section.wires) polygons.push_back(polygon_of(section, wire, x, y));
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     if (!section.wires[i].closed) continue;
     int around = 0;
     for (std::size_t j = 0; j < polygons.size(); ++j)
       if (i != j && section.wires[j].closed) around += lies_in(polygons[i], polygons[j]) ? 1 : 0;
-    if ((signed_area(polygons[i]) > 0) == (around % 2 == 0)) continue;
+    if ((signed_area(polygons[i].points) > 0) == (around % 2 == 0)) continue;
     std::vector<CurveUse>& uses = section.wires[i].uses;
     std::ranges::reverse(uses);
     for (CurveUse& use : uses) use.forward = !use.forward;
