@@ -12,6 +12,7 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/surface_words.h"
 
@@ -90,6 +91,13 @@ Json face_json(const FaceFacts& face) {
 
 }  // namespace
 
+TopoDS_Shape subject_of(const Input& input) {
+  if (!input.selected.IsNull()) return input.selected;
+  const bool all = input.faces.size() == input.model.face_names().size();
+  if (all) return input.model.shape();
+  return occt::compound_of(input.faces);
+}
+
 ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::string>>& problems,
                        const std::function<bool()>& cancelled) {
   ModelFacts facts;
@@ -102,10 +110,11 @@ ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::st
     facts.valid = facts.valid && face.problems.empty();
   }
   ShapeAnalysis_ShapeTolerance tolerances;
-  facts.least_tolerance = tolerances.Tolerance(input.model.shape(), -1);
-  facts.largest_tolerance = tolerances.Tolerance(input.model.shape(), 1);
+  const TopoDS_Shape subject = subject_of(input);
+  facts.least_tolerance = tolerances.Tolerance(subject, -1);
+  facts.largest_tolerance = tolerances.Tolerance(subject, 1);
   // Numbers that are none would go into the box, too.
-  if (facts.valid) facts.box = box_of(input.model.shape(), cancelled);
+  if (facts.valid) facts.box = box_of(subject, cancelled);
   return facts;
 }
 
@@ -120,7 +129,7 @@ Json info_report(const Input& input, const ModelFacts& facts) {
                {"file", input.name},
                {"unit", "mm"},
                {"file_unit", input.model.file_unit()}};
-  for (const ShapeCount& each : shape_counts(input.model.shape()))
+  for (const ShapeCount& each : shape_counts(subject_of(input)))
     json["counts"][each.many] = each.count;
   json["surfaces"] = facts.surfaces;
   json["box"] = nullptr;

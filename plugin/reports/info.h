@@ -51,7 +51,10 @@ struct ModelFacts {
 ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::string>>& problems,
                        const std::function<bool()>& cancelled);
 
-/// How many of a kind there are in the model, with its noun: {2, "solids"}.
+/// What is asked about: the whole model, or what the user names of it.
+TopoDS_Shape subject_of(const Input& input);
+
+/// How many of a kind there are in a shape, with its noun: {2, "solids"}.
 struct ShapeCount {
   int count = 0;
   const char* one = "";

@@ -76,7 +76,7 @@ std::string box_text(const Box& box) {
 std::string info_text(const Input& input, const ModelFacts& facts) {
   std::ostringstream text;
   text << input.name << "\n ";
-  for (const auto& [number, one, many] : reports::shape_counts(input.model.shape()))
+  for (const auto& [number, one, many] : reports::shape_counts(reports::subject_of(input)))
     text << " " << number << " " << (number == 1 ? one : many);
   text << "\n  surfaces:" << (facts.surfaces.empty() ? " none" : "");
   for (const auto& [word, number] : facts.surfaces) text << " " << number << " " << word;

@@ -86,6 +86,23 @@ TEST(InfoCommand, ListsOnlyTheChosenFaces) {
   const json info = json::parse(run.out);
   ASSERT_EQ(info["faces"].size(), 1u);
   EXPECT_EQ(info["faces"][0]["number"], 2);
+  EXPECT_EQ(info["counts"]["faces"], 1);
+  const Finished all = blossom({"info", folder / "parts.brep", "--json", "-"});
+  EXPECT_NE(info["box"], json::parse(all.out)["box"]);
+}
+
+TEST(InfoCommand, CountsASolidThatIsNamed) {
+  const testing::TestFolder folder;
+  occt::Model two;
+  two.add(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), "Cube");
+  two.add(BRepPrimAPI_MakeSphere(gp_Pnt(9, 0, 0), 2).Shape(), "Ball");
+  occt::write_model(two, folder / "two.brep");
+  const Finished run =
+      blossom({"info", (folder / "two.brep").string() + "#solid:2", "--json", "-"});
+  const json info = json::parse(run.out);
+  EXPECT_EQ(info["counts"]["solids"], 1);
+  EXPECT_EQ(info["counts"]["faces"], 1);
+  EXPECT_NEAR(info["box"][0][0].get<double>(), 7, 1e-6);
 }
 
 // Faces inside the box of the corners say nothing new, but curved ones reach beyond them.
