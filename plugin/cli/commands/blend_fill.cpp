@@ -120,6 +120,7 @@ Picture picture_of(const Input& input, const reports::FillAnswer& holes) {
     faces.insert(faces.end(), hole.filled.faces.begin(), hole.filled.faces.end());
   Picture picture;
   picture.title = "fill of " + short_name(input.name);
+  picture.subtitle = counted(holes.filled(), "hole") + " filled";
   picture.groups = {{input.faces, kFirstColour, 1, short_name(input.name)},
                     {faces, kSecondColour, 1, "patches"}};
   return picture;

@@ -104,6 +104,11 @@ std::string comma_separated(const std::vector<int>& numbers) {
   return text.str();
 }
 
+std::string done_text(const FilletCommand& command, const occt::FilletResult& made) {
+  if (made.solids.empty()) return "refused";
+  return counted(made.edges.size(), "edge") + (command.is_chamfer() ? " cut off" : " rounded");
+}
+
 std::string summary(const FilletCommand& command, const Input& part, const TimedFillets& timed) {
   std::ostringstream text;
   const occt::FilletResult& made = timed.made;
@@ -112,11 +117,7 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
            : command.law.empty() ? "fillet of radius "
                                  : "fillet by the law ")
        << command.size << ", ";
-  if (made.solids.empty())
-    text << "refused";
-  else
-    text << counted(made.edges.size(), "edge") << (command.is_chamfer() ? " cut off" : " rounded");
-  text << ", " << timed.seconds << " s\n";
+  text << done_text(command, made) << ", " << timed.seconds << " s\n";
   if (!made.solids.empty()) {
     const double more = reports::volume_of(made) - made.volume_before;
     text << "  edges " << comma_separated(made.edges) << "\n  volume "
@@ -133,6 +134,7 @@ Picture picture_of(const FilletCommand& command, const Input& part,
   const std::string kind = command.is_chamfer() ? "chamfer" : "fillet";
   Picture picture;
   picture.title = kind + "s of " + short_name(part.name);
+  picture.subtitle = done_text(command, made);
   picture.groups = {{{}, kFirstColour, 1, "faces"}, {{}, kSecondColour, 1, kind + "s"}};
   const FaceLabels labels(part);
   for (const occt::FilletedSolid& solid : made.solids)

@@ -72,9 +72,15 @@ std::string text_of(const Input& input, const Answer& answer) {
 Picture picture_of(const Input& input, const occt::PlaneSection& section) {
   Picture picture;
   picture.title = "section of " + short_name(input.name);
+  picture.subtitle =
+      std::string(to_string(stated(section.status))) + ": " + counted(section.wires.size(), "wire");
   picture.groups = {{input.faces, kFirstColour, kFirstOpacity, short_name(input.name)}};
-  for (const occt::SectionCurve& curve : section.curves) picture.curves.push_back(curve.samples);
-  for (const std::size_t node : section.points) picture.points.push_back(section.nodes[node].point);
+  PictureLayer curves{"section", kCurveColour};
+  PictureLayer points{"isolated point", kCurveColour, LayerStyle::Dot};
+  for (const occt::SectionCurve& curve : section.curves) curves.items.push_back({curve.samples});
+  for (const std::size_t node : section.points)
+    points.items.push_back({{section.nodes[node].point}});
+  picture.layers = {std::move(curves), std::move(points)};
   return picture;
 }
 

@@ -2,8 +2,10 @@
 // `blossom subdivide F`: sub-curves, sub-patches and sub-triangles by blossoms.
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -64,17 +66,43 @@ std::string summary(const NetInput& input, const nets::Subdivision& made) {
   return text.str();
 }
 
+// Where the pieces of each face begin.
+class Grids {
+ public:
+  explicit Grids(const std::vector<Net>& pieces) {
+    for (const Net& piece : pieces) {
+      auto& [u, v] = starts_[piece.source.face];
+      u.insert(piece.u.from);
+      v.insert(piece.v.from);
+    }
+  }
+
+  // 0 or 1, as on a chessboard.
+  std::size_t field(const Net& piece) const {
+    const auto& [u, v] = starts_.at(piece.source.face);
+    const auto row = std::distance(u.begin(), u.find(piece.u.from));
+    const auto column = std::distance(v.begin(), v.find(piece.v.from));
+    return static_cast<std::size_t>((row + column) % 2);
+  }
+
+ private:
+  std::map<int, std::pair<std::set<double>, std::set<double>>> starts_;
+};
+
 // Pieces in two colours by turns, with their control nets when these are few.
-Picture picture_of(const std::string& name, const std::vector<Net>& made) {
+Picture picture_of(const std::string& name, const std::vector<Net>& made, std::size_t nets) {
   constexpr std::size_t kFew = 64;
+  const Grids grids(made);
   Picture picture;
   picture.title = "pieces of " + short_name(name);
+  picture.subtitle = counted(made.size(), "piece") + " of " + counted(nets, "net");
   picture.groups = {{{}, kFirstColour}, {{}, kSecondColour}};
   PictureLayer control{"control net", kNetColour, LayerStyle::Net}, curves{"curve", kCurveColour};
   for (std::size_t i = 0; i < made.size(); ++i) {
     stop_if_interrupted();
+    const std::size_t field = is_triangle(made[i]) ? i % 2 : grids.field(made[i]);
     if (!is_curve(made[i]))
-      picture.groups[i % 2].faces.push_back(TopoDS::Face(nets::net_shape(made[i])));
+      picture.groups[field].faces.push_back(TopoDS::Face(nets::net_shape(made[i])));
     if (made.size() > kFew && !is_curve(made[i])) continue;
     PictureLayer& layer = is_curve(made[i]) ? curves : control;
     for (auto& line : nets::net_lines(made[i]))
@@ -86,8 +114,8 @@ Picture picture_of(const std::string& name, const std::vector<Net>& made) {
 
 void write_outputs(NetInput& input, const SubdivideCommand& options,
                    const nets::Subdivision& made) {
-  const std::vector<PictureFile> pictures =
-      picture_files(options.common, [&] { return picture_of(options.input, made.pieces); });
+  const std::vector<PictureFile> pictures = picture_files(
+      options.common, [&] { return picture_of(options.input, made.pieces, input.nets.size()); });
   if (!options.common.output.empty()) write_nets(input, made.pieces, options.common.output);
   write_pictures(pictures);
   if (!options.common.json.empty()) write_json(report_of(input, made), options.common.json);

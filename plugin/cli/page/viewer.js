@@ -23,7 +23,7 @@ void main() {
   if (n.z < 0.0) n = -n;
   vec3 lamp = normalize(vec3(-0.35, 0.45, 0.8));
   float shine = pow(max(dot(n, normalize(lamp + vec3(0.0, 0.0, 1.0))), 0.0), 40.0);
-  result = vec4((0.5 + 0.55 * max(dot(n, lamp), 0.0)) * colour.rgb + 0.16 * shine, colour.a);
+  result = vec4((0.62 + 0.43 * max(dot(n, lamp), 0.0)) * colour.rgb + 0.16 * shine, colour.a);
 }`;
 // A segment is a rectangle that goes on by half its width at both ends.
 const kLineVertex = kProject + `

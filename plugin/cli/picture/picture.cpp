@@ -34,14 +34,15 @@ View view_of(const Picture& picture, const std::vector<SceneMesh>& meshes) {
   return view_from(to_eye, points, frame);
 }
 
-// A lamp above the left shoulder, a little light from everywhere, a soft highlight.
+// A lamp above the left shoulder, a soft highlight, and light from everywhere: enough to know the
+// colours of faces that are turned away. As viewer.js has it.
 Vec3 shaded(const Vec3& colour, Vec3 normal, const View& view) {
   const Vec3 to_eye = -view.forward;
   if (dot(normal, to_eye) < 0) normal = -normal;
   const Vec3 lamp = unit(0.45 * view.up - 0.35 * view.right + 0.8 * to_eye);
   const double lit = std::max(0.0, dot(normal, lamp));
   const double shine = std::pow(std::max(0.0, dot(normal, unit(lamp + to_eye))), 40.0);
-  return (0.5 + 0.55 * lit) * colour + 0.16 * shine * Vec3{1, 1, 1};
+  return (0.62 + 0.43 * lit) * colour + 0.16 * shine * Vec3{1, 1, 1};
 }
 
 // Translucent faces that coincide with opaque ones lie behind them, whatever their triangles.
