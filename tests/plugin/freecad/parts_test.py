@@ -190,10 +190,10 @@ def mesh_objects_answer_to_questions(document):
     claim("a plane cuts it in a square", near(cut.Shape.Length, 40, 1e-9))
     claim("where its container is", near(cut.Shape.BoundBox.Center.x, 100, 1e-6))
     box = document.addObject("Part::Box", "Beside")
-    box.Placement.Base = V(95, -5, 0)
+    box.Placement.Base = V(97, -3, 0)
     document.recompute()
     low, high = meshes.distance(scan, box).bounds
-    claim("as far from a box as they are", low <= 5 <= high + 1e-9 and high < 5.5)
+    claim("as far from a box as they are", low <= math.sqrt(33) <= high + 1e-9 and high < 6.4)
     curves = meshes.intersection(document, scan, box)
     claim("they meet", curves.Shape.Edges)
     opened = Mesh.Mesh([facet.Points for facet in scan.Mesh.Facets][2:])
