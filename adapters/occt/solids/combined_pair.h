@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "adapters/occt/queries/cone_volumes.h"
 #include "adapters/occt/solid_trim.h"
-#include "adapters/occt/solids/cone_volumes.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {

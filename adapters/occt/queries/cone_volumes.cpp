@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/solids/cone_volumes.h"
+#include "adapters/occt/queries/cone_volumes.h"
 
 #include <TopoDS.hxx>
 
