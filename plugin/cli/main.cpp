@@ -2,9 +2,10 @@
 // The program `blossom`.
 
 #include "adapters/occt/shapes.h"
+#include "plugin/cli/program.h"
 #include "plugin/cli/reproduction.h"
 
 int main(int argc, char** argv) {
   blossom::occt::quiet_messages();
-  return blossom::cli::run_reproducibly(argc, argv);
+  return blossom::cli::run_reproducibly({argv, argv + argc}, blossom::cli::run_program).code;
 }

@@ -13,6 +13,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "plugin/cli/exit_code.h"
@@ -28,7 +29,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Words = std::vector<std::string>;
 
-constexpr std::string_view kReproduce = "--reproduce";
+constexpr std::string_view kReproduce = "--reproduce", kBatchCommand = "batch";
 constexpr int kTrials = 40;
 constexpr double kLeastSeconds = 60, kTimesAsLong = 20;
 
@@ -39,15 +40,18 @@ struct End {
   bool operator==(const End&) const = default;
 };
 
-End end_of(Words words) {
+Ended ended_by(Words words, const Program& program) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  End end;
-  end.code =
-      supervised([&] { return run_program(static_cast<int>(words.size()), arguments.data()); });
-  end.crashed = last_ending().crashed;
-  return end;
+  const int code =
+      supervised([&] { return program(static_cast<int>(words.size()), arguments.data()); });
+  return {code, last_ending()};
+}
+
+End end_of(Words words, const Program& program) {
+  const Ended ended = ended_by(std::move(words), program);
+  return {ended.code, ended.how.crashed};
 }
 
 // While it lives, nothing comes to stdout and stderr.
@@ -154,8 +158,9 @@ std::vector<Part> parts_of(const Words& words) {
 
 class Reduction {
  public:
-  Reduction(Words words, End wanted, double seconds)
+  Reduction(Words words, const Program& program, End wanted, double seconds)
       : words_(std::move(words)),
+        program_(program),
         wanted_(wanted),
         until_(Clock::now() +
                std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
@@ -165,7 +170,7 @@ class Reduction {
     if (++trials_ > kTrials || Clock::now() > until_) return false;
     Words words = words_;
     for (const Part& part : parts) words[part.place] = part.word();
-    return end_of(std::move(words)) == wanted_;
+    return end_of(std::move(words), program_) == wanted_;
   }
 
   // Halves the faces of every part as long as the command comes to the same end.
@@ -191,6 +196,7 @@ class Reduction {
   }
 
   Words words_;
+  const Program& program_;
   End wanted_;
   Clock::time_point until_;
   int trials_ = 0;
@@ -211,8 +217,8 @@ void place(std::vector<Part>& parts, std::size_t number, const std::filesystem::
   const std::string stem = "input" + std::to_string(number + 1);
   if (!part.faces.empty()) {
     part = {part.place, folder / (stem + ".brep"), {}};
-    if (end_of({"blossom", "convert", before.word(), "-o", part.file.string(), "-q"}).code !=
-            kExitFailure &&
+    if (end_of({"blossom", "convert", before.word(), "-o", part.file.string(), "-q"}, run_program)
+                .code != kExitFailure &&
         std::filesystem::exists(part.file) && reduction.repeats(parts))
       return;
     std::filesystem::remove(part.file);
@@ -222,14 +228,15 @@ void place(std::vector<Part>& parts, std::size_t number, const std::filesystem::
                              std::filesystem::copy_options::overwrite_existing);
 }
 
-void reproduce(const Words& words, End end, double seconds, const std::filesystem::path& folder) {
+void reproduce(const Words& words, const Program& program, End end, double seconds,
+               const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   Words command = without_outputs(words);
   std::vector<Part> parts;
   {
     const Silence silence;
     parts = parts_of(command);
-    Reduction reduction(command, end, seconds);
+    Reduction reduction(command, program, end, seconds);
     if (reduction.repeats(parts)) {
       reduction.reduce(parts);
     } else {  // it needs its outputs, or comes to another end each time
@@ -254,20 +261,23 @@ void reproduce(const Words& words, End end, double seconds, const std::filesyste
 
 }  // namespace
 
-int run_reproducibly(int argc, char** argv) {
+Ended run_reproducibly(const Words& words, const Program& program,
+                       const std::function<void(const Ended&)>& told) {
   const auto start = Clock::now();
-  const Words words(argv, argv + argc);
-  const End end = end_of(words);
-  const std::string folder = folder_in(words);
-  const bool wanted = end.code == kExitFailure || end.code == kExitStopped || end.crashed;
-  if (folder.empty() || !wanted) return end.code;
+  const Ended ended = ended_by(words, program);
+  const bool is_batch = words.size() > 1 && words[1] == kBatchCommand;
+  const std::string folder = is_batch ? "" : folder_in(words);
+  const bool wanted = ended.code == kExitFailure || ended.code == kExitStopped || ended.how.crashed;
+  if (folder.empty() || !wanted) return ended;
+  if (told) told(ended);
   try {
-    reproduce(words, end, std::chrono::duration<double>(Clock::now() - start).count(), folder);
+    reproduce(words, program, {ended.code, ended.how.crashed},
+              std::chrono::duration<double>(Clock::now() - start).count(), folder);
   } catch (const std::exception& error) {
     std::cerr << "blossom: " << folder
               << ": what repeats the command cannot be written: " << error.what() << '\n';
   }
-  return end.code;
+  return ended;
 }
 
 }  // namespace blossom::cli

@@ -23,6 +23,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/kept_models.h"
 #include "plugin/cli/exit_code.h"
+#include "plugin/cli/reproduction.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
 
@@ -76,21 +77,23 @@ bool only_looks(const Job& job) {
   return kLooking.contains(job.arguments.front());
 }
 
-int exit_code_of(const Job& job, const JobSetup& setup) {
+Ended ended(const Job& job, const JobSetup& setup, const std::function<void(const Ended&)>& told) {
   if (!only_looks(job)) occt::keep_models_in({}, {});
-  const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
-                                            static_cast<std::size_t>(setup.threads));
   std::vector<std::string> words{"blossom"};
   words.insert(words.end(), job.arguments.begin(), job.arguments.end());
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  return setup.program(static_cast<int>(words.size()), arguments.data());
+  const auto program = [&](int argc, char** argv) {
+    using oneapi::tbb::global_control;
+    const global_control control(global_control::max_allowed_parallelism,
+                                 static_cast<std::size_t>(setup.threads));
+    return setup.program(argc, argv);
+  };
+  return run_reproducibly(words, program, told);
 }
 
 }  // namespace
 
 struct JobProcess::Shared {
+  std::atomic<bool> has_ended{false};  // what follows has a limit of its own, see reproduction.h
   std::atomic<bool> crashed{false};
   std::atomic<bool> lacked_memory{false};
 };
@@ -134,17 +137,18 @@ void JobProcess::work(const Job& job) const {
   limit_data(setup_.megabytes);
   set_verbosity(Verbosity::Normal);
   if (setup_.seconds > 0) set_greatest_time_limit(setup_.seconds);
-  const int code = supervised([&] { return exit_code_of(job, setup_); });
-  shared_->crashed = last_ending().crashed;
-  shared_->lacked_memory = last_ending().lacked_memory;
-  _exit(code);
+  const Ended end = ended(job, setup_, [this](const Ended&) { shared_->has_ended = true; });
+  shared_->crashed = end.how.crashed;
+  shared_->lacked_memory = end.how.lacked_memory;
+  _exit(end.code);
 }
 
 void JobProcess::stop_beyond_limits() {
   struct stat facts {};
   const double limit = setup_.seconds;
   if (!stopped_for_.empty()) return;
-  if (limit > 0 && seconds_since(start_) > limit * (1 + kLateShare) + kLateSeconds)
+  if (limit > 0 && !shared_->has_ended &&
+      seconds_since(start_) > limit * (1 + kLateShare) + kLateSeconds)
     stopped_for_ = "it did not end at the time limit";
   else if (fstat(out_, &facts) == 0 && facts.st_size > kMaxJobOutput)
     stopped_for_ = "it writes more than " + std::to_string(kMaxJobOutput) + " bytes to stdout";

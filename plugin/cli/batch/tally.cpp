@@ -43,8 +43,8 @@ void Tally::add(const Result& result) {
   ++kind.count;
   if (result.status != JobStatus::Done && kind.first.size() < kMaxListed)
     kind.first.push_back(result);
-  findings_ = findings_ || result.code == kExitFindings;
-  tolerance_ = tolerance_ || result.code == kExitTolerance;
+  findings_ += result.code == kExitFindings ? 1 : 0;
+  tolerance_ += result.code == kExitTolerance ? 1 : 0;
   const auto place =
       std::ranges::upper_bound(slowest_, result.seconds, std::greater(), &Result::seconds);
   if (place - slowest_.begin() >= static_cast<std::ptrdiff_t>(kMaxSlowest)) return;
@@ -59,12 +59,17 @@ std::size_t Tally::count() const {
 int Tally::exit_code() const {
   if (count(JobStatus::Failed) > 0) return kExitFailure;
   if (count(JobStatus::Stopped) > 0) return kExitStopped;
-  if (findings_) return kExitFindings;
-  return tolerance_ ? kExitTolerance : kExitComplete;
+  if (findings_ > 0) return kExitFindings;
+  return tolerance_ > 0 ? kExitTolerance : kExitComplete;
 }
 
 std::string Tally::text(bool all) const {
   std::ostringstream text;
+  if (tolerance_ > 0)
+    text << "  done, but within tolerance or with shapes missing (exit code 3): "
+         << counted(tolerance_, "job") << "\n";
+  if (findings_ > 0)
+    text << "  done, with findings (exit code 5): " << counted(findings_, "job") << "\n";
   for (const JobStatus status : {JobStatus::Failed, JobStatus::Stopped}) {
     const Kind& kind = of(status);
     if (kind.count == 0) continue;
@@ -83,6 +88,8 @@ std::string Tally::text(bool all) const {
 Json Tally::json() const {
   return {{"jobs", count()},
           {"done", count(JobStatus::Done)},
+          {"tolerance", tolerance_},
+          {"findings", findings_},
           {"stopped",
            {{"count", count(JobStatus::Stopped)}, {"first", brief(of(JobStatus::Stopped).first)}}},
           {"failed",

@@ -28,11 +28,11 @@ class Tally {
   /// 1 if a job failed, else 4 if one was stopped, else 5 or 3 if a job had that, else 0.
   int exit_code() const;
 
-  /// Lines for each kind that there is: "failed: 2 jobs", and the first few of them, or with
-  /// `all` as many as are known.
+  /// Lines for each kind that there is: how many are done and not complete, or have findings;
+  /// "failed: 2 jobs", and the first few of them, or with `all` as many as are known.
   std::string text(bool all) const;
 
-  /// Members "jobs", "done", "stopped", "failed", "slowest".
+  /// Members "jobs", "done", "tolerance", "findings", "stopped", "failed", "slowest".
   Json json() const;
 
  private:
@@ -43,8 +43,8 @@ class Tally {
   const Kind& of(JobStatus status) const { return kinds_[static_cast<std::size_t>(status)]; }
 
   Kind kinds_[3];
-  std::vector<Result> slowest_;  // the slowest first
-  bool findings_ = false, tolerance_ = false;
+  std::vector<Result> slowest_;               // the slowest first
+  std::size_t findings_ = 0, tolerance_ = 0;  // jobs that are done with these exit codes
 };
 
 }  // namespace blossom::cli

@@ -116,6 +116,33 @@ TEST_F(Batch, GoesOnAfterItWasKilledWithTheSameResults) {
   std::cout << "broken off " << broken_off << " times\n";
 }
 
+TEST_F(Batch, JobsThatAreStoppedLeaveWhatRepeatsThem) {
+  const auto command = [&](const std::string& part) {
+    return std::vector<std::string>{"intersect", part,          folder / "lid.brep",  "--budget",
+                                    "1",         "--reproduce", folder / "again {/.}"};
+  };
+  std::vector<std::string> words{"batch", "--each", folder / "b*.brep", "-o", results, "--"};
+  for (const std::string& word : command("{}")) words.push_back(word);
+  const Finished run = blossom(words);
+  EXPECT_EQ(run.code, 4);
+  EXPECT_EQ(run.err, "");
+  EXPECT_NE(
+      results_in(results).begin()->second["messages"].dump().find("again bowl/repeat does it"),
+      std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder / "again bowl/repeat"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "again {"));
+}
+
+TEST_F(Batch, TellsHowManyAreDoneButNotComplete) {
+  testing::write({testing::bowl(), testing::lid(0.25)}, folder / "bowl.brep");
+  const std::string whole = testing::text_of(folder / "bowl.brep");
+  testing::write_text(folder / "bowl.brep", whole.substr(0, whole.rfind('*')));
+  const Finished run =
+      blossom({"batch", "--each", folder / "bowl.brep", "-o", results, "--", "check", "{}"});
+  EXPECT_EQ(run.code, 3);
+  EXPECT_NE(run.out.find("(exit code 3): 1 job\n"), std::string::npos) << run.out;
+}
+
 TEST_F(Batch, ShardsShareTheJobs) {
   write_jobs(7);
   std::size_t count = 0;
