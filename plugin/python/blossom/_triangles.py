@@ -325,7 +325,7 @@ def from_mesh(source: Any, triangles: Any = None, **options: Any) -> Triangles:
         corners = _rows(np.array(facets).reshape(-1, 3), "source", np.int32)
         return Triangles(_core.mesh_of_arrays(label, vertices, corners, []))
     if hasattr(source, "names") and hasattr(source, "vertices"):  # an answer of `mesh`
-        groups = [(name, first, None) for name, first in source._groups()]
+        groups: List[Any] = [(name, first, None) for name, first in source._groups()]
         return Triangles(
             _core.mesh_of_arrays(label, np.array(source.vertices), np.array(source.triangles), groups)
         )

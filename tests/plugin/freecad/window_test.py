@@ -28,10 +28,11 @@ def claim(what, holds):
 def lines_of_readme():
     with open(os.environ["BLOSSOM_README"]) as readme:
         blocks = re.findall(r"```python\n(.*?)```", readme.read(), re.DOTALL)
-    of_objects, *of_selection = blocks
+    of_objects = blocks[0]
     claim("the README has lines for objects", "freecad.blossom" in of_objects)
-    claim("and for what is selected", "getSelectionEx" in of_selection[0])
-    return of_objects, "".join(of_selection)
+    selected = [i for i, block in enumerate(blocks) if "getSelectionEx" in block]
+    claim("and for what is selected", len(selected) == 1)
+    return of_objects, "".join(blocks[selected[0] :])
 
 
 def plane_in_a_moved_part(document):
