@@ -200,7 +200,8 @@ class Density {
     inner_ = lines_ == Lines::Turning || (lines_ == Lines::Any && u.size() <= v.size()) ? 0 : 1;
     x_knots_ = inner_ == 0 ? u : v;
     y_knots_ = inner_ == 0 ? v : u;
-    const int cells = is_constant() ? 1 : kDensityCells;
+    // What rounding is relative to is not constant: at the apex of a cone it is 0.
+    const int cells = is_constant() ? 2 : kDensityCells;
     double rough = 0, size = 0;
     for (int i = 0; i < cells; ++i)
       for (int j = 0; j < cells; ++j) {

@@ -191,5 +191,14 @@ TEST(ConeVolume, OfAFaceThroughTheApexIsNothing) {
   EXPECT_NEAR(cone_volume(face, {apex.X(), apex.Y(), apex.Z()}), 0, 1e-14);
 }
 
+// In the apex both the integrand and what its rounding is relative to are 0: no size may be taken
+// from there alone, or cells are halved without end.
+TEST(ConeVolume, FromTheMiddleOfATurnedDiscIsNone) {
+  const gp_Ax2 axes(gp_Pnt(0.3, -0.7, 1.1), gp_Dir(0.2, 0.5, 1));
+  const TopoDS_Face disc = BRepBuilderAPI_MakeFace(
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(axes, 2)).Edge()).Wire(), true);
+  EXPECT_NEAR(cone_volume(disc, {0.3, -0.7, 1.1}), 0, 1e-14);
+}
+
 }  // namespace
 }  // namespace blossom::occt
