@@ -194,7 +194,7 @@ TEST(TrueTolerances, LetSolidsBeCutAcrossBadEdges) {
       trim_solids(trim_tool(cylinder_with_wide_rim(1e-4)), {half}, SolidOperation::Cut);
   EXPECT_EQ(rim.obstacles, std::vector<std::string>{});
   ASSERT_EQ(rim.solids.size(), 1U);
-  EXPECT_NEAR(rim.volumes.back().cut, kPi / 2, 1e-3);
+  EXPECT_NEAR(rim.volumes.back().cut, kPi, 1e-3);
   ASSERT_EQ(rim.tolerances.size(), 1U);
   EXPECT_EQ(rim.tolerances.front().rfind("the part: ", 0), 0U);
 
