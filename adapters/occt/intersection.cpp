@@ -45,13 +45,8 @@ class PairIntersector {
  public:
   // copies   of faces of a in b
   PairIntersector(const FaceList& faces_a, const FaceList& faces_b, const FaceCopies& copies,
-                  Shared shared, const IntersectionOptions& options, ConicDeviations conics)
-      : faces_a_(faces_a),
-        faces_b_(faces_b),
-        copies_(copies),
-        shared_(shared),
-        options_(options),
-        conics_(conics) {}
+                  Shared shared, const IntersectionOptions& options)
+      : faces_a_(faces_a), faces_b_(faces_b), copies_(copies), shared_(shared), options_(options) {}
 
   FaceIntersection of(const std::pair<int, int>& pair) const {
     FaceIntersection result;
@@ -243,7 +238,7 @@ class PairIntersector {
     if (found.curves.empty()) return clip(found, a.trims, &b.trims);
     const FaceTrims trims_a = cutting_trims(a.trims), trims_b = cutting_trims(b.trims);
     std::vector<Touch> touches = clip(found, trims_a, &trims_b, options_.tolerances.point);
-    if (conics_ == ConicDeviations::Proven) prove_deviations(a, b, found);
+    prove_deviations(a, b, found);
     return touches;
   }
 
@@ -366,7 +361,6 @@ class PairIntersector {
   const FaceCopies& copies_;
   Shared shared_;
   const IntersectionOptions& options_;
-  const ConicDeviations conics_;
   const SharedLimit limit_{options_};
 };
 
@@ -421,8 +415,7 @@ ShapeIntersection intersected(const PairIntersector& intersector, const FaceCopi
 }  // namespace
 
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-                            const IntersectionOptions& options, Extent extent, ArcCuts cuts,
-                            ConicDeviations conics) {
+                            const IntersectionOptions& options, Extent extent, ArcCuts cuts) {
   const double tolerance = options.tolerances.point;
   ShapeIntersection result;
   with_threads(options.threads, [&] {
@@ -431,8 +424,7 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
     FacePairs pairs = meeting_pairs(faces_a, faces_b);
     convert_meeting(faces_a, faces_b, pairs);
     const FaceCopies copies(faces_a, faces_b, pairs, tolerance);
-    result =
-        intersected({faces_a, faces_b, copies, Shared::Listed, options, conics}, copies, pairs);
+    result = intersected({faces_a, faces_b, copies, Shared::Listed, options}, copies, pairs);
   });
   return result;
 }
@@ -448,8 +440,7 @@ ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfScop
     });
     convert_meeting(list, list, pairs);
     const FaceCopies none(list, list, {}, options.tolerances.point);
-    result = intersected({list, list, none, Shared::LeftOut, options, ConicDeviations::Proven},
-                         none, pairs);
+    result = intersected({list, list, none, Shared::LeftOut, options}, none, pairs);
   });
   return result;
 }

@@ -55,10 +55,6 @@ enum class Extent {
              ///< within tolerance of it, is found like all else
 };
 
-/// How the deviations of lines and conics are told, which are known before they are laid out in
-/// charts. Those of all other curves come with a proof.
-enum class ConicDeviations { Proven, Sampled };
-
 struct ShapeIntersection {
   Status status = Status::Complete;     ///< the weakest of all pairs
   std::vector<FaceIntersection> pairs;  ///< only pairs with something to tell
@@ -79,8 +75,7 @@ struct ShapeIntersection {
 /// throws   BadModel if a face cannot be converted; the message has the face's place in its list
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
                             const IntersectionOptions& options = {},
-                            Extent extent = Extent::Extended, ArcCuts cuts = ArcCuts::Even,
-                            ConicDeviations conics = ConicDeviations::Proven);
+                            Extent extent = Extent::Extended, ArcCuts cuts = ArcCuts::Even);
 
 /// What of a shape is compared with itself.
 enum class SelfScope {

@@ -399,8 +399,8 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
 SolidPieces first_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
   const SharedLimit limit(options);
   Pending untold;
-  const ShapeIntersection faces = intersect(a.faces, b.faces, options, Extent::Extended,
-                                            ArcCuts::Even, ConicDeviations::Sampled);
+  const ShapeIntersection faces =
+      intersect(a.faces, b.faces, options, Extent::Extended, ArcCuts::Even);
   IntersectionOptions left = limit.remaining();
   left.threads = options.threads;
   SolidPieces found =
@@ -420,8 +420,8 @@ SolidPieces other_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
     rest.threads = options.threads;
     return rest;
   };
-  const ShapeIntersection first = intersect(a.faces, b.faces, options, Extent::Extended,
-                                            ArcCuts::Even, ConicDeviations::Sampled);
+  const ShapeIntersection first =
+      intersect(a.faces, b.faces, options, Extent::Extended, ArcCuts::Even);
   SolidPieces other;
   const auto again = [&](const ShapeIntersection& faces, EdgesLie lying) {
     Pending ignored;
@@ -440,8 +440,7 @@ SolidPieces other_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
                                      {Extent::Extended, ArcCuts::Shifted},
                                      {Extent::Trims, ArcCuts::Shifted}}) {
     if (limit.is_reached()) break;
-    other = again(intersect(a.faces, b.faces, left(), extent, cuts, ConicDeviations::Sampled),
-                  EdgesLie::WithinTolerance);
+    other = again(intersect(a.faces, b.faces, left(), extent, cuts), EdgesLie::WithinTolerance);
     if (other.obstacles.empty()) return other;
   }
   return other;
