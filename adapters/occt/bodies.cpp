@@ -44,27 +44,6 @@ Body body_of(const TopoDS_Shape& shape, int solid) {
   return {shape, solid, static_cast<int>(parts_of(shape, TopAbs_FACE).size())};
 }
 
-std::vector<Body> bodies_of(const TopoDS_Shape& shape) {
-  std::vector<Body> bodies;
-  TopTools_IndexedMapOfShape bounding;
-  int number = 0;
-  for (const TopoDS_Shape& solid : parts_of(shape, TopAbs_SOLID)) {
-    ++number;
-    if (!is_closed_solid(solid)) continue;
-    bodies.push_back(body_of(solid, number));
-    TopExp::MapShapes(solid, TopAbs_FACE, bounding);
-  }
-  std::vector<TopoDS_Shape> rest;
-  for (const TopoDS_Shape& face : parts_of(shape, TopAbs_FACE))
-    if (!bounding.Contains(face)) rest.push_back(face);
-  for (const TopoDS_Shape& edge : free_parts_of(shape, TopAbs_EDGE, TopAbs_FACE))
-    rest.push_back(edge);
-  for (const TopoDS_Shape& vertex : free_parts_of(shape, TopAbs_VERTEX, TopAbs_EDGE))
-    rest.push_back(vertex);
-  if (!rest.empty()) bodies.push_back(body_of(compound_of(rest), 0));
-  return bodies;
-}
-
 // A point of a part; of a face or edge not at its ends. None if Open CASCADE finds none.
 std::optional<gp_Pnt> point_of(const TopoDS_Shape& part) {
   if (part.ShapeType() == TopAbs_FACE) return point_inside(TopoDS::Face(part));
@@ -133,6 +112,27 @@ class AskedBody {
 };
 
 }  // namespace
+
+std::vector<Body> bodies_of(const TopoDS_Shape& shape) {
+  std::vector<Body> bodies;
+  TopTools_IndexedMapOfShape bounding;
+  int number = 0;
+  for (const TopoDS_Shape& solid : parts_of(shape, TopAbs_SOLID)) {
+    ++number;
+    if (!is_closed_solid(solid)) continue;
+    bodies.push_back(body_of(solid, number));
+    TopExp::MapShapes(solid, TopAbs_FACE, bounding);
+  }
+  std::vector<TopoDS_Shape> rest;
+  for (const TopoDS_Shape& face : parts_of(shape, TopAbs_FACE))
+    if (!bounding.Contains(face)) rest.push_back(face);
+  for (const TopoDS_Shape& edge : free_parts_of(shape, TopAbs_EDGE, TopAbs_FACE))
+    rest.push_back(edge);
+  for (const TopoDS_Shape& vertex : free_parts_of(shape, TopAbs_VERTEX, TopAbs_EDGE))
+    rest.push_back(vertex);
+  if (!rest.empty()) bodies.push_back(body_of(compound_of(rest), 0));
+  return bodies;
+}
 
 struct Bodies::Impl {
   Impl(const TopoDS_Shape& shape, MeasuredShape measured)

@@ -24,6 +24,9 @@ struct Body {
   bool is_solid() const { return solid > 0; }
 };
 
+/// The closed solids of a shape in their order, then what belongs to none, if there is anything.
+std::vector<Body> bodies_of(const TopoDS_Shape& shape);
+
 /// A shape taken apart, made ready for questions of one thread.
 class Bodies {
  public:

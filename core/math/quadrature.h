@@ -7,14 +7,21 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
+
+#include "core/math/vec.h"
 
 namespace blossom {
 
-struct Integral {
-  double value = 0;
-  double error = 0;  ///< estimate, the sum over all cells; not a bound
-  double size = 0;   ///< integral of the absolute value, about
+/// Of a number, or of several that are integrated together, a vector.
+template <class Value>
+struct IntegralOf {
+  Value value{};
+  Value error{};  ///< estimate, the sum over all cells; not a bound
+  Value size{};   ///< integral of the absolute value, about
 };
+
+using Integral = IntegralOf<double>;
 
 namespace quadrature {
 
@@ -41,31 +48,47 @@ inline constexpr int kDeepest = 40;
 inline constexpr double kRounding = 1e-14;
 inline constexpr double kMinPart = 1.0 / 1024;
 
-template <class Function>
-Integral cell(Function& function, double from, double to) {
-  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  double fine = 0, coarse = 0, size = 0;
-  for (std::size_t i = 0; i < kNodes.size(); ++i) {
-    const bool centre = kNodes[i] == 0;
-    const double low = function(middle - half * kNodes[i]);
-    const double high = centre ? 0 : function(middle + half * kNodes[i]);
-    const double sum = low + high;
-    fine += kWeights[i] * sum;
-    size += kWeights[i] * (std::abs(low) + std::abs(high));
-    if (i % 2 == 1) coarse += kGaussWeights[i / 2] * sum;
-  }
-  return {half * fine, std::abs(half * (fine - coarse)), std::abs(half) * size};
+inline double absolute(double a) { return std::abs(a); }
+using blossom::absolute;
+
+inline bool is_enough(double error, double tolerance, double least, double size) {
+  return error <= std::max({tolerance, least, kRounding * size});
+}
+
+template <int Dim>
+bool is_enough(const Vec<double, Dim>& error, const Vec<double, Dim>& tolerance,
+               const Vec<double, Dim>& least, const Vec<double, Dim>& size) {
+  for (int i = 0; i < Dim; ++i)
+    if (!is_enough(error[i], tolerance[i], least[i], size[i])) return false;
+  return true;
 }
 
 template <class Function>
-Integral halved(Function& function, double from, double to, double tolerance, double least,
-                int depth) {
-  const Integral whole = cell(function, from, to);
-  const double enough = std::max({tolerance, least, kRounding * whole.size});
-  if (whole.error <= enough || depth >= kDeepest) return whole;
+auto cell(Function& function, double from, double to) {
+  using Value = std::invoke_result_t<Function&, double>;
+  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+  Value fine{}, coarse{}, size{};
+  for (std::size_t i = 0; i < kNodes.size(); ++i) {
+    const bool centre = kNodes[i] == 0;
+    const Value low = function(middle - half * kNodes[i]);
+    const Value high = centre ? Value{} : function(middle + half * kNodes[i]);
+    const Value sum = low + high;
+    fine += kWeights[i] * sum;
+    size += kWeights[i] * (absolute(low) + absolute(high));
+    if (i % 2 == 1) coarse += kGaussWeights[i / 2] * sum;
+  }
+  return IntegralOf<Value>{half * fine, absolute(half * (fine - coarse)), std::abs(half) * size};
+}
+
+template <class Function, class Value>
+IntegralOf<Value> halved(Function& function, double from, double to, const Value& tolerance,
+                         const Value& least, int depth) {
+  const IntegralOf<Value> whole = cell(function, from, to);
+  if (is_enough(whole.error, tolerance, least, whole.size) || depth >= kDeepest) return whole;
   const double middle = 0.5 * (from + to);
-  const Integral low = halved(function, from, middle, 0.5 * tolerance, least, depth + 1);
-  const Integral high = halved(function, middle, to, 0.5 * tolerance, least, depth + 1);
+  const Value half = 0.5 * tolerance;
+  const IntegralOf<Value> low = halved(function, from, middle, half, least, depth + 1);
+  const IntegralOf<Value> high = halved(function, middle, to, half, least, depth + 1);
   return {low.value + high.value, low.error + high.error, low.size + high.size};
 }
 
@@ -74,15 +97,17 @@ Integral halved(Function& function, double from, double to, double tolerance, do
 /// The integral of `function` from `from` to `to`, in cells that are halved until the two rules
 /// agree within `tolerance` in total. from > to changes the sign.
 ///
-/// function   double -> double, finite on the interval
-/// tolerance  absolute, positive; the finer rule that is returned is far better than this where
-///            the function is smooth
+/// function   double -> double or a vector, finite on the interval
+/// tolerance  absolute, positive, for each component; the finer rule that is returned is far better
+///            than this where the function is smooth
 /// cost       15 calls a cell
 ///
 /// Source: Gauss and Kronrod's pair of 7 and 15 points.
-template <class Function>
-Integral integral(Function&& function, double from, double to, double tolerance) {
-  return quadrature::halved(function, from, to, tolerance, quadrature::kMinPart * tolerance, 0);
+template <class Function, class Value = std::invoke_result_t<Function&, double>>
+IntegralOf<Value> integral(Function&& function, double from, double to,
+                           const std::type_identity_t<Value>& tolerance) {
+  const Value least = quadrature::kMinPart * tolerance;
+  return quadrature::halved(function, from, to, tolerance, least, 0);
 }
 
 }  // namespace blossom

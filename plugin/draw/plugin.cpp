@@ -34,8 +34,8 @@ class BlossomDraw {
     static bool added = false;
     if (added) return;
     added = true;
-    add<kBlinfo, kBlintersect, kBltrim, kBlsolid, kBlsection, kBldistance, kBlcheck, kBlsubdivide,
-        kBlfillet, kBlchamfer, kBlblend, kBlfill, kBlclash>(interpreter);
+    add<kBlinfo, kBlintersect, kBltrim, kBlsolid, kBlsection, kBldistance, kBlmass, kBlcheck,
+        kBlsubdivide, kBlfillet, kBlchamfer, kBlblend, kBlfill, kBlclash>(interpreter);
   }
 };
 

@@ -60,6 +60,7 @@ Answer cast_ray(const SharedModel& model, const Vec3& from, const Vec3& directio
 Answer least_distance(const SharedModel& a, const SharedModel& b, const Control& control);
 Answer does_intersect(const SharedModel& a, const SharedModel& b, const Control& control);
 Answer nearest_point(const SharedModel& model, const Vec3& at, bool all, const Control& control);
+Answer mass(const SharedModel& model, const Control& control);
 Answer check(const SharedModel& model, const Control& control);
 Answer continuity(const SharedModel& model, const ContinuityTolerances& tolerances,
                   const std::string& require, const Control& control);

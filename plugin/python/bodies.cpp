@@ -99,12 +99,18 @@ Answer trim(const SharedModel& part, const std::vector<SharedModel>& tools,
 
 namespace {
 
+occt::TrimTool whole_of(const reports::Input& input) {
+  occt::TrimTool whole = occt::trim_tool(input.model.shape());
+  whole.name = input.name;
+  return whole;
+}
+
 occt::TrimTool solid_of(const reports::Input& input) {
-  occt::TrimTool tool = occt::trim_tool(input.model.shape());
-  tool.name = input.name;
-  if (!tool.is_solid())
-    throw occt::BadModel(input.name + " is no closed solid: " + occt::describe_open_shell(tool));
-  return tool;
+  occt::TrimTool solid = whole_of(input);
+  if (!solid.is_solid())
+    throw occt::BadModel(input.name + " is no closed solid: " + occt::describe_open_shell(solid) +
+                         "; a sheet may be a tool of split, or cut faces in trim");
+  return solid;
 }
 
 // What gives the faces of a cut along a plane their name: the plane as a part.
@@ -148,7 +154,7 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
       const reports::Input& other = tool->repaired_input(watch);
       answer.tools.push_back(other.name);
       answer.repairs.push_back(reports::repairs_json(other));
-      cutters.push_back(solid_of(other));
+      cutters.push_back(*wanted == occt::SolidOperation::Split ? whole_of(other) : solid_of(other));
       origins.push_back(&other.model);
     }
     std::list<occt::Model> plane_models;

@@ -13,6 +13,7 @@
 #include "plugin/reports/distance.h"
 #include "plugin/reports/edges.h"
 #include "plugin/reports/info.h"
+#include "plugin/reports/mass.h"
 #include "plugin/reports/rays.h"
 #include "plugin/reports/soundness.h"
 
@@ -103,6 +104,20 @@ Answer nearest_point(const SharedModel& model, const Vec3& at, bool all, const C
         side, at, all, control.engine.tolerances.point, [&watch] { return watch.distance(); });
     answer.seconds = watch.seconds() - start;
     return with_reading(reports::point_report(side, answer), {model});
+  }));
+}
+
+Answer mass(const SharedModel& model, const Control& control) {
+  return told(interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model->turn(watch);
+    model->faces(watch);
+    const reports::Input& input = model->repaired_input(watch);
+    const double start = watch.seconds();
+    const IntersectionOptions left = watch.engine();
+    const WorkLimit limit(left);
+    reports::MassAnswer answer = reports::masses_of(input, limit);
+    answer.seconds = watch.seconds() - start;
+    return with_reading(reports::mass_report(input, answer), {model});
   }));
 }
 

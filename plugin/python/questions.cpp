@@ -118,6 +118,7 @@ void add_answers(py::module_& module) {
         return nearest_point(model, vec(at), all, control);
       },
       arg("model"), arg("at"), arg("all"), arg("control"));
+  module.def("mass", &mass, arg("model"), arg("control"));
   using Planes = std::vector<std::pair<Triple, Triple>>;
   module.def(
       "trim",

@@ -40,14 +40,28 @@ constexpr double kNoHeight = 1e-14;
 
 constexpr int kDensityCells = 4;  // each way: where a density is looked at to see its size
 
-// A value, and what its rounding is relative to: more, where it is a difference.
+// Some numbers that are integrated together, and what the rounding of each is relative to: more,
+// where it is a difference.
+template <int Count>
 struct Sample {
-  double value = 0;
-  double size = 0;
+  using Values = Vec<double, Count>;
+  Values values;
+  Values sizes;
 };
 
 // What is integrated over the chart: by point and normal S_u x S_v.
-using Integrand = std::function<Sample(const Vec3&, const Vec3&)>;
+template <int Count>
+using Integrand = std::function<Sample<Count>(const Vec3&, const Vec3&)>;
+
+template <int Count>
+Vec<double, Count> largest(Vec<double, Count> a, const Vec<double, Count>& b) {
+  for (int i = 0; i < Count; ++i) a[i] = std::max(a[i], b[i]);
+  return a;
+}
+
+// Whether what is integrated is an area or the volume of a cone, which run along a surface's own
+// lines as Lines says.
+enum class Runs { AlongLines, Freely };
 
 // Along v it is constant where that is a length along parallel straight lines; along u it is
 // a + b cos u + c sin u where all turns about one axis with u: points and normals turn alike. On a
@@ -147,7 +161,8 @@ class AreaLine {
     line_.emplace(spans.patches(of_u.number, of_v.number), along, across.local(y));
   }
 
-  Sample sample(const Integrand& integrand, double x) const {
+  template <int Count>
+  Sample<Count> sample(const Integrand<Count>& integrand, double x) const {
     if (line_) {
       const double t = x_.local(x);
       const PatchJet jet = line_->jet(t);
@@ -188,40 +203,44 @@ class AreaLine {
 
 // The surface over the box of the trims. The inner integral runs along the direction called x, that
 // of which the density is known or that with fewer spans; the other one is y.
+template <int Count>
 class Density {
  public:
-  Density(const FaceTrims& trims, Integrand integrand, double enough)
+  using Values = Vec<double, Count>;
+
+  Density(const FaceTrims& trims, Integrand<Count> integrand, Runs runs, double enough = 0)
       : integrand_(std::move(integrand)),
         low_{trims.box.low[0] / trims.scale[0], trims.box.low[1] / trims.scale[1]},
         high_{trims.box.high[0] / trims.scale[0], trims.box.high[1] / trims.scale[1]},
         surface_(trims.face, {{low_[0], high_[0]}, {low_[1], high_[1]}}) {
     const std::vector<double> u = surface_.knots(Along::U), v = surface_.knots(Along::V);
-    lines_ = surface_.lines();
+    if (runs == Runs::AlongLines) lines_ = surface_.lines();
     inner_ = lines_ == Lines::Turning || (lines_ == Lines::Any && u.size() <= v.size()) ? 0 : 1;
     x_knots_ = inner_ == 0 ? u : v;
     y_knots_ = inner_ == 0 ? v : u;
     // What rounding is relative to is not constant: at the apex of a cone it is 0.
     const int cells = is_constant() ? 2 : kDensityCells;
-    double rough = 0, size = 0;
+    Values rough, size;
     for (int i = 0; i < cells; ++i)
       for (int j = 0; j < cells; ++j) {
-        const Sample sample = sample_in_cell(i, j, cells);
-        rough += std::abs(sample.value) / (cells * cells);
-        size += sample.size / (cells * cells);
+        const Sample<Count> sample = sample_in_cell(i, j, cells);
+        rough += absolute(sample.values) * (1.0 / (cells * cells));
+        size += sample.sizes * (1.0 / (cells * cells));
       }
-    double rounding = kCoordinateRounding * rough;
+    Values rounding = kCoordinateRounding * rough;
     for (int k = 0; k < 2; ++k) {
       rough *= high_[k] - low_[k];
       size *= high_[k] - low_[k];
       rounding *= std::max(std::abs(low_[k]), std::abs(high_[k]));
     }
-    tolerance_ = std::max({kRelativeTolerance * rough, kValueRounding * size, rounding, enough});
+    tolerance_ = largest(largest(kRelativeTolerance * rough, kValueRounding * size), rounding);
+    for (double& each : tolerance_.coordinates) each = std::max(each, enough);
   }
 
   int inner() const { return inner_; }
   bool is_constant() const { return lines_ == Lines::Constant; }
   /// For the whole integral: no sum can be better than the coordinates of the trims.
-  double tolerance() const { return tolerance_; }
+  const Values& tolerance() const { return tolerance_; }
   const std::vector<double>& y_knots() const { return y_knots_; }
   double height() const { return high_[1 - inner_] - low_[1 - inner_]; }
 
@@ -229,20 +248,20 @@ class Density {
   // over `height` in y: the lower that is, the less exact it has to be. Where a surface has a span
   // of rounding's width its normals are noise, of which no accuracy can be had. Trims may stray
   // over its border, beyond which there is nothing.
-  double strip(double x, double y, double height, int cells) const {
-    const double tolerance = tolerance_ / std::max(height, 1e-300);
-    double sum = 0;
+  Values strip(double x, double y, double height, int cells) const {
+    const Values tolerance = tolerance_ * (1 / std::max(height, 1e-300));
+    Values sum;
     if (y < y_knots_.front() || y > y_knots_.back()) return sum;
     x = std::clamp(x, x_knots_.front(), x_knots_.back());
     if (x == x_knots_.front()) return sum;
     if (lines_ == Lines::Even || lines_ == Lines::Constant)
-      return (x - x_knots_.front()) * sample_at(x, y).value;
+      return (x - x_knots_.front()) * sample_at(x, y).values;
     if (lines_ == Lines::Turning) return turning_strip(x, y);
     for (std::size_t i = 0; i + 1 < x_knots_.size(); ++i) {
       const double to = i + 2 == x_knots_.size() ? x : std::min(x_knots_[i + 1], x);
       if (i > 0 && x_knots_[i] >= x) break;
       const AreaLine line(surface_, along(), y, 0.5 * (x_knots_[i] + x_knots_[i + 1]));
-      auto density = [&](double s) { return line.sample(integrand_, s).value; };
+      auto density = [&](double s) { return line.sample(integrand_, s).values; };
       for (int k = 0; k < cells; ++k) {
         const double from = x_knots_[i], step = (to - from) / cells;
         sum += integral(density, from + k * step, from + (k + 1) * step, tolerance).value;
@@ -254,48 +273,52 @@ class Density {
  private:
   Along along() const { return inner_ == 0 ? Along::U : Along::V; }
   // a + b cos + c sin of the angle from the left end, by three values a third of a turn apart.
-  double turning_strip(double x, double y) const {
+  Values turning_strip(double x, double y) const {
     constexpr double kThird = 2 * std::numbers::pi / 3;
     const double left = x_knots_.front(), angle = x - left;
-    const double at_left = sample_at(left, y).value, second = sample_at(left + kThird, y).value,
-                 third = sample_at(left + 2 * kThird, y).value;
-    const double a = (at_left + second + third) / 3, b = at_left - a,
-                 c = (second - third) / std::numbers::sqrt3;
+    const Values at_left = sample_at(left, y).values, second = sample_at(left + kThird, y).values,
+                 third = sample_at(left + 2 * kThird, y).values;
+    const Values a = (at_left + second + third) * (1.0 / 3), b = at_left - a,
+                 c = (second - third) * std::numbers::inv_sqrt3;
     return a * angle + b * std::sin(angle) + c * (1 - std::cos(angle));
   }
-  Sample sample_at(double x, double y) const {
+  Sample<Count> sample_at(double x, double y) const {
     return AreaLine(surface_, along(), y, x).sample(integrand_, x);
   }
   // In the middle of one of so many cells each way.
-  Sample sample_in_cell(int i, int j, int cells) const {
+  Sample<Count> sample_in_cell(int i, int j, int cells) const {
     const Vec2 at = low_ + Vec2{(i + 0.5) / cells * (high_[0] - low_[0]),
                                 (j + 0.5) / cells * (high_[1] - low_[1])};
     return sample_at(at[inner_], at[1 - inner_]);
   }
 
-  Integrand integrand_;
+  Integrand<Count> integrand_;
   Vec2 low_, high_;
   AreaSurface surface_;
   std::vector<double> x_knots_, y_knots_;  // of the surface inside the box, the box's ends too
   int inner_ = 0;
   Lines lines_ = Lines::Any;
-  double tolerance_ = 0;
+  Values tolerance_;
 };
 
 // What a straight way adds where the density is constant: strips grow evenly along it.
-double straight(const Vec2& from, const Vec2& to, const FaceTrims& trims, const Density& density) {
+template <int Count>
+Vec<double, Count> straight(const Vec2& from, const Vec2& to, const FaceTrims& trims,
+                            const Density<Count>& density) {
   const int x = density.inner(), y = 1 - x;
   const Vec2 middle = 0.5 * (from + to);
   return density.strip(middle[x] / trims.scale[x], middle[y] / trims.scale[y], density.height(),
                        1) *
-         (to[y] - from[y]) / trims.scale[y];
+         ((to[y] - from[y]) / trims.scale[y]);
 }
 
 // What a straight way adds, forward along it: gaps that tolerances leave in the wires.
-double across(const Vec2& from, const Vec2& to, const FaceTrims& trims, const Density& density) {
+template <int Count>
+Vec<double, Count> across(const Vec2& from, const Vec2& to, const FaceTrims& trims,
+                          const Density<Count>& density) {
   const int x = density.inner(), y = 1 - x;
   const double dy = (to[y] - from[y]) / trims.scale[y];
-  if (std::abs(dy) <= kNoHeight * density.height()) return 0;
+  if (std::abs(dy) <= kNoHeight * density.height()) return {};
   auto rate = [&](double t) {
     const Vec2 point = (1 - t) * from + t * to;
     return density.strip(point[x] / trims.scale[x], point[y] / trims.scale[y], std::abs(dy), 1) *
@@ -337,10 +360,13 @@ std::vector<double> breaks(const PlanarBezier& curve, int y, double scale,
 }
 
 // Along the coedge as the wire walks it, from corner to corner.
-double along(const Coedge& coedge, const FaceTrims& trims, const Density& density, int cells) {
+template <int Count>
+Vec<double, Count> along(const Coedge& coedge, const FaceTrims& trims,
+                         const Density<Count>& density, int cells) {
+  using Values = Vec<double, Count>;
   const int x = density.inner(), y = 1 - x;
-  const double tolerance = density.tolerance();
-  double sum = 0;
+  const Values tolerance = density.tolerance();
+  Values sum;
   for (const PlanarSpan& span : coedge.curve.spans) {
     if (density.is_constant() && span.curve.degree() == 1) {
       const Vec2 from = jet_at(span.curve, 0).point, to = jet_at(span.curve, 1).point;
@@ -350,7 +376,7 @@ double along(const Coedge& coedge, const FaceTrims& trims, const Density& densit
     auto rate = [&](double t) {
       const PlanarJet jet = jet_at(span.curve, t);
       const double dy = jet.first[y] / trims.scale[y];
-      if (dy == 0) return 0.0;
+      if (dy == 0) return Values{};
       return density.strip(jet.point[x] / trims.scale[x], jet.point[y] / trims.scale[y],
                            density.height(), cells) *
              dy;
@@ -367,20 +393,30 @@ double along(const Coedge& coedge, const FaceTrims& trims, const Density& densit
     return point_at(coedge.curve, last != coedge.reversed() ? domain.to : domain.from);
   };
   const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
-  const double gaps = across(corner(coedge.from), end(false), trims, density) +
+  const Values gaps = across(corner(coedge.from), end(false), trims, density) +
                       across(end(true), corner(coedge.to), trims, density);
   // A region on the left of its border has the integral of F dv, but minus that of F du.
   return ((coedge.reversed() ? -sum : sum) + gaps) * (x == 0 ? 1 : -1);
 }
 
-double integral_over(const TopoDS_Face& face, const Integrand& integrand, int cells,
-                     double enough = 0) {
-  const FaceTrims trims = face_trims(face);
-  const Density density(trims, integrand, enough);
-  double sum = 0;
+template <int Count>
+Vec<double, Count> integral_within(const FaceTrims& trims, const Density<Count>& density,
+                                   int cells = 1) {
+  Vec<double, Count> sum;
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop) sum += along(coedge, trims, density, cells);
   return sum;
+}
+
+double integral_over(const TopoDS_Face& face, const Integrand<1>& integrand, int cells,
+                     double enough = 0) {
+  const FaceTrims trims = face_trims(face);
+  return integral_within(trims, Density<1>(trims, integrand, Runs::AlongLines, enough), cells)[0];
+}
+
+// The entries of s s^T.
+Vec<double, 6> squares_of(const Vec3& s) {
+  return {s[0] * s[0], s[1] * s[1], s[2] * s[2], s[0] * s[1], s[0] * s[2], s[1] * s[2]};
 }
 
 }  // namespace
@@ -389,7 +425,7 @@ double area(const TopoDS_Face& face, int cells) {
   return integral_over(
       face,
       [](const Vec3&, const Vec3& normal) {
-        return Sample{norm(normal), 0};
+        return Sample<1>{{norm(normal)}, {}};
       },
       cells);
 }
@@ -399,10 +435,41 @@ double cone_volume(const TopoDS_Face& face, const Vec3& apex, double enough) {
       face,
       [&](const Vec3& point, const Vec3& normal) {
         const double reach = norm(point) + norm(apex);
-        return Sample{dot(point - apex, normal) / 3, reach * norm(normal) / 3};
+        return Sample<1>{{dot(point - apex, normal) / 3}, {reach * norm(normal) / 3}};
       },
       1, enough);
   return face.Orientation() == TopAbs_REVERSED ? -volume : volume;
+}
+
+ConeMoments cone_moments(const TopoDS_Face& face, const Vec3& apex) {
+  constexpr int kCount = 1 + 3 + 6;
+  const Integrand<kCount> moments = [&](const Vec3& point, const Vec3& normal) {
+    const Vec3 s = point - apex;
+    const double volume = dot(s, normal) / 3, length = norm(s);
+    const double size = (norm(point) + norm(apex)) * norm(normal) / 3;
+    const Vec<double, 6> squares = squares_of(s);
+    Sample<kCount> sample;
+    for (int i = 0; i < kCount; ++i) {
+      sample.values[i] = volume * (i == 0 ? 1 : i < 4 ? 0.75 * s[i - 1] : 0.6 * squares[i - 4]);
+      sample.sizes[i] = size * (i == 0 ? 1 : i < 4 ? length : length * length);
+    }
+    return sample;
+  };
+  const FaceTrims trims = face_trims(face);
+  Vec<double, kCount> sums = integral_within(trims, Density(trims, moments, Runs::Freely));
+  if (face.Orientation() == TopAbs_REVERSED) sums = -sums;
+  ConeMoments result{sums[0], {sums[1], sums[2], sums[3]}, {}};
+  for (int k = 0; k < 6; ++k) result.second[k] = sums[4 + k];
+  return result;
+}
+
+Vec3 area_moment(const TopoDS_Face& face, const Vec3& origin) {
+  const Integrand<3> moments = [&](const Vec3& point, const Vec3& normal) {
+    const double area = norm(normal), size = (norm(point) + norm(origin)) * area;
+    return Sample<3>{(point - origin) * area, {size, size, size}};
+  };
+  const FaceTrims trims = face_trims(face);
+  return integral_within(trims, Density(trims, moments, Runs::Freely));
 }
 
 double polygon_area(const TopoDS_Face& face, std::span<const Vec2> polygon) {

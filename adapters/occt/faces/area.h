@@ -31,12 +31,35 @@ double area(const TopoDS_Face& face, int cells = 1);
 ///
 ///   V = integral over the chart of (S - apex) . (S_u x S_v) / 3
 ///
-/// enough     an error that does not matter, of each of the integrals that are added up, cubic model
+/// enough     an error that does not matter, of each of the integrals that are added up, cubic
+/// model
 ///            units; 0: none
 /// accuracy   as the area, relative to the integral of the integrand's absolute value, and 1e-12 of
 ///            the area times the coordinates
 /// throws     as area
 double cone_volume(const TopoDS_Face& face, const Vec3& apex, double enough = 0);
+
+/// Moments of the cone from a point over a face, with the sign of its volume. Those of the cones of
+/// a closed shell add up to those of what it encloses.
+///
+///   first    integral of r over the cone      = integral over the chart of 3/4 s  (s . N) / 3
+///   second   integral of r r^T over the cone  = integral over the chart of 3/5 s s^T (s . N) / 3
+///
+/// where r and s = S - apex are taken from the apex, and N = S_u x S_v.
+struct ConeMoments {
+  double volume = 0;      ///< cubic model units
+  Vec3 first;             ///< model units^4
+  Vec<double, 6> second;  ///< model units^5: xx, yy, zz, xy, xz, yz
+};
+
+/// accuracy   1e-10 of the integrals of the integrands' absolute values, as the area
+/// throws     as area
+ConeMoments cone_moments(const TopoDS_Face& face, const Vec3& apex);
+
+/// The integral over a face of S - origin, model units^3: its area times what its centre is from
+/// there.
+/// accuracy, throws   as cone_moments
+Vec3 area_moment(const TopoDS_Face& face, const Vec3& origin);
 
 /// About the area within a closed polygon in the parameters of a face's surface, for summaries.
 ///

@@ -51,5 +51,6 @@ void add_query_ray(CLI::App& query, int& exit_code);
 void add_query_point(CLI::App& query, int& exit_code);
 void add_query_distance(CLI::App& query, int& exit_code);
 void add_query_does_intersect(CLI::App& query, int& exit_code);
+void add_query_mass(CLI::App& query, int& exit_code);
 
 }  // namespace blossom::cli

@@ -17,7 +17,7 @@ struct Command {
   std::string (*answer)(const Words& words);
 };
 
-extern const Command kBlinfo, kBlintersect, kBltrim, kBlsolid, kBlsection, kBldistance, kBlcheck,
-    kBlsubdivide, kBlfillet, kBlchamfer, kBlblend, kBlfill, kBlclash;
+extern const Command kBlinfo, kBlintersect, kBltrim, kBlsolid, kBlsection, kBldistance, kBlmass,
+    kBlcheck, kBlsubdivide, kBlfillet, kBlchamfer, kBlblend, kBlfill, kBlclash;
 
 }  // namespace blossom::draw

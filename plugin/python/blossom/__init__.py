@@ -35,6 +35,7 @@ start at 1 as in "Face1". Wrong types are TypeErrors, wrong values and models th
 ValueErrors, failures of Open CASCADE `blossom.Error`. Ctrl-C ends all work.
 """
 
+import os
 from typing import Any, Dict, Literal, Optional, Union, overload
 
 from . import _checks, _core
@@ -59,7 +60,9 @@ from ._queries import (
     Distance,
     FootPoints,
     Hit,
+    Mass,
     Meeting,
+    PartMass,
     RayHits,
 )
 from ._results import Result
@@ -94,6 +97,7 @@ __all__ = [
     "FootPoints",
     "Hit",
     "Intersection",
+    "Mass",
     "Meeting",
     "Mesh",
     "MeshCheck",
@@ -103,6 +107,7 @@ __all__ = [
     "Model",
     "Net",
     "Overlap",
+    "PartMass",
     "PartSection",
     "Place",
     "PlaneSection",
@@ -137,6 +142,7 @@ __all__ = [
     "from_mesh",
     "info",
     "intersect",
+    "mass",
     "mesh",
     "ray",
     "read",
@@ -159,6 +165,10 @@ def read(path: FileName, faces: Any = None, strict: bool = False, **options: Any
     faces    numbers of the faces that count; None is all
     strict   a file of which shapes are missing is refused
     """
+    if not isinstance(path, (str, os.PathLike)):
+        raise TypeError(
+            f"path: a str or a Path is wanted, got {_checks.kind(path)}; shape() takes shapes"
+        )
     file = _checks.path(path, "path")
     model = Model(_core.read_file(file, _checks.flag(strict, "strict"), _checks.control(options)))
     return model if faces is None else model.part(faces)
@@ -303,6 +313,11 @@ def does_intersect(a: Any, b: Any, **options: Any) -> Meeting:
 def foot_points(shape: Any, at: Any, all: bool = True, **options: Any) -> FootPoints:
     """The nearest point of a shape to a point, and every point where the distance is stationary."""
     return model_of(shape, "shape").foot_points(at, all, **options)
+
+
+def mass(shape: Any, **options: Any) -> Mass:
+    """Volume, area, centre of gravity and inertia."""
+    return model_of(shape, "shape").mass(**options)
 
 
 def trim(

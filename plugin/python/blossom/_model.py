@@ -10,7 +10,7 @@ from ._clashes import Clash
 from ._forms import Conversion, Subdivision, Whole
 from ._intersections import Intersection, SelfIntersection
 from ._meshes import Mesh
-from ._queries import Check, Continuity, Distance, FootPoints, Meeting, RayHits
+from ._queries import Check, Continuity, Distance, FootPoints, Mass, Meeting, RayHits
 from ._sections import Section, Sections
 
 FileName = Union[str, "os.PathLike[str]"]
@@ -264,6 +264,20 @@ class Model(_results.MadeShape):
             )
         )
 
+    def mass(self, **options: Any) -> Mass:
+        """Volume, area, centre of gravity and inertia, of closed solids and of other faces."""
+        return Mass(_core.mass(self._core, _checks.control(options)))
+
+    @property
+    def volume(self) -> float:
+        """Of all closed solids, cubic millimetres; 0 if there is none. See `mass`."""
+        return self.mass().volume
+
+    @property
+    def area(self) -> float:
+        """Of all faces, square millimetres. See `mass`."""
+        return self.mass().area
+
     def trim(
         self, *tools: Any, keep: Union[str, int], planes: Any = (), **options: Any
     ) -> Trim:
@@ -283,7 +297,8 @@ class Model(_results.MadeShape):
     def solid(self, operation: str, *tools: Any, planes: Any = (), **options: Any) -> Solid:
         """The closed solid combined with others.
 
-        operation   "cut", "common", "fuse", or "split": cut and common side by side
+        operation   "cut", "common", "fuse", or "split": cut and common side by side, which takes
+                    sheets as tools, too
         planes      pairs (point, normal); what is above cuts like a tool
         """
         wanted = _checks.word(operation, "operation", ("cut", "common", "fuse", "split"))

@@ -132,6 +132,72 @@ class FootPoints(Measured):
         return f"{self.status}, distance {self.distance:g}, {counted(len(self.feet), 'foot point')}"
 
 
+@dataclass(eq=False, repr=False)
+class PartMass(Record):
+    """A closed solid, or the faces of a part that bound none (`solid` is None). The inertia is that
+    about the part's centre; a surface has none, and the volume 0."""
+
+    name: str
+    part: str
+    solid: Optional[int]
+    faces: int
+    area: float
+    volume: float
+    centre: Array
+    inertia: Optional[Array]
+
+
+def _part_mass(told: Report) -> PartMass:
+    inertia = told.get("inertia")
+    return PartMass(
+        name=told["name"],
+        part=told["part"],
+        solid=told["solid"],
+        faces=told["faces"],
+        area=told["area"],
+        volume=told.get("volume", 0.0),
+        centre=np.array(told["centre"], float),
+        inertia=None if inertia is None else np.array(inertia, float),
+    )
+
+
+class Mass(Result):
+    """Volume, area, centre of gravity and inertia, for density 1; a list of parts. Millimetres."""
+
+    @property
+    def parts(self) -> List[PartMass]:
+        return self._once("parts", lambda: [_part_mass(told) for told in self._told()["parts"]])
+
+    @property
+    def area(self) -> float:
+        """Of all faces."""
+        return float(sum(part.area for part in self.parts))
+
+    @property
+    def volume(self) -> float:
+        """Of all closed solids; 0 if there is none."""
+        total = self._told()["total"]
+        return 0.0 if total is None else float(total["volume"])
+
+    @property
+    def centre(self) -> Optional[Array]:
+        """Of all closed solids; None if there is none."""
+        total = self._told()["total"]
+        return None if total is None else np.array(total["centre"], float)
+
+    @property
+    def inertia(self) -> Optional[Array]:
+        """(3, 3), of all closed solids about their centre; None if there is none."""
+        total = self._told()["total"]
+        return None if total is None else np.array(total["inertia"], float)
+
+    def _items(self) -> List[Any]:
+        return self.parts
+
+    def _summary(self) -> str:
+        return f"{self.status}, volume {self.volume:g}, area {self.area:g}"
+
+
 class Untimed(Result):
     """An answer that tells no time."""
 

@@ -4,12 +4,15 @@
 import copy
 import os
 from dataclasses import dataclass, fields
-from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _checks, _core, _shapes
+
+if TYPE_CHECKING:
+    from ._model import Model
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -21,6 +24,13 @@ class MadeShape:
 
     def _core_model(self) -> _core.Model:
         raise NotImplementedError
+
+    @property
+    def model(self) -> "Model":
+        """The shape as a model, to go on asking: `drilled.model.fillet(...)`."""
+        from ._model import Model  # which knows all answers
+
+        return Model(self._core_model())
 
     def to_brep(self) -> bytes:
         """The shape as BRep text."""
@@ -101,7 +111,9 @@ class Result(MadeShape):
     def _core_model(self) -> _core.Model:
         model = self._model_or_none()
         if model is None:
-            raise _core.Error(f"{type(self).__name__}: there is no shape in this answer")
+            raise _core.Error(
+                f"{type(self).__name__}: there is no shape in this answer ({self._summary()})"
+            )
         return model
 
     def to_dict(self, samples: bool = True) -> Report:

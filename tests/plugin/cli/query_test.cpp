@@ -274,6 +274,37 @@ TEST_F(QueryOfSolids, TellWhereAPointLies) {
   EXPECT_NE(text.find("inside: solid 1 of " + box_), std::string::npos) << text;
 }
 
+TEST_F(QueryOfSolids, TellsMassesPartByPartAndInAll) {
+  const Finished run = blossom({"query", "mass", two_, "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json found = json::parse(run.out);
+  const double ball = 4 * 3.141592653589793 / 3;
+  EXPECT_EQ(found["kind"], "mass");
+  EXPECT_EQ(found["status"], "complete");
+  ASSERT_EQ(found["parts"].size(), 2U);
+  const json& near = found["parts"][1];
+  EXPECT_EQ(near["name"], "Near");
+  EXPECT_EQ(near["solid"], 2);
+  EXPECT_NEAR(near["volume"].get<double>(), ball, 1e-9);
+  EXPECT_NEAR(near["area"].get<double>(), 3 * ball, 1e-9);
+  EXPECT_NEAR(near["centre"][0].get<double>(), 2, 1e-9);
+  EXPECT_NEAR(near["inertia"][2][2].get<double>(), 0.4 * ball, 1e-9);
+  EXPECT_NEAR(found["total"]["volume"].get<double>(), 2 * ball, 1e-9);
+  EXPECT_NEAR(found["total"]["centre"][0].get<double>(), 5.5, 1e-9);
+  EXPECT_NEAR(found["total"]["inertia"][2][2].get<double>(), ball * (0.8 + 2 * 3.5 * 3.5), 1e-8);
+  EXPECT_NE(blossom({"query", "mass", box_}).out.find("Box: volume 64 mm³, area 96 mm²"),
+            std::string::npos);
+}
+
+TEST_F(QueryOfSolids, GivesSurfacesAnAreaAndNoVolume) {
+  const json found = json::parse(blossom({"query", "mass", box_ + "#1", "--json", "-"}).out);
+  ASSERT_EQ(found["parts"].size(), 1U);
+  EXPECT_EQ(found["parts"][0]["solid"], nullptr);
+  EXPECT_NEAR(found["parts"][0]["area"].get<double>(), 16, 1e-12);
+  EXPECT_FALSE(found["parts"][0].contains("volume"));
+  EXPECT_EQ(found["total"], nullptr);
+}
+
 TEST_F(QueryCommand, StopsWhenTheTimeIsSpent) {
   const Finished run = blossom({"query", "ray", pot_, "--from", "0,0,10", "--direction", "0,0.1,-1",
                                 "--time-limit", "1e-9", "--json", "-"});
@@ -287,6 +318,7 @@ TEST_F(QueryCommand, TakesATimeLimitForEveryKind) {
   const std::vector<std::vector<std::string>> all{
       {"query", "plane", pot_, "--point", "0,0,0.5", "--normal", "0.1,0,1"},
       {"query", "point", pot_, "--at", "0.3,0.2,1", "--all"},
+      {"query", "mass", pot_},
       {"query", "distance", pot_ + "#2", pot_ + "#1"},
       {"query", "does-intersect", pot_ + "#2", pot_ + "#1"}};
   for (std::vector<std::string> arguments : all) {

@@ -55,7 +55,7 @@ class Reading(unittest.TestCase):
             blossom.read(FILES / "none.step")
         with self.assertRaisesRegex(ValueError, "there is no face 9"):
             blossom.read(BLOCK, faces=[9])
-        with self.assertRaisesRegex(TypeError, "^path: a str or a Path is wanted, got int$"):
+        with self.assertRaisesRegex(TypeError, "^path: a str or a Path is wanted, got int; shape.. takes shapes$"):
             blossom.read(7)
         with self.assertRaisesRegex(TypeError, "^strict: True or False is wanted, got int$"):
             blossom.read(BLOCK, strict=1)
@@ -129,6 +129,33 @@ class KnownFigures(unittest.TestCase):
         self.assertFalse(found.inside)
         self.assertGreater(len(found), 1)
         self.assertTrue(self.block.foot_points((30, 20, 10), all=False).inside)
+
+    def test_masses(self):
+        self.assertAlmostEqual(self.block.volume, 60 * 40 * 20, places=6)
+        self.assertAlmostEqual(self.block.area, 2 * (60 * 40 + 60 * 20 + 40 * 20), places=6)
+        found = self.block.mass()
+        np.testing.assert_allclose(found.centre, (30, 20, 10), atol=1e-9)
+        self.assertAlmostEqual(found.inertia[2, 2] / found.volume, (60**2 + 40**2) / 12, places=6)
+        self.assertEqual([part.name for part in found], ["Block"])
+        self.assertEqual(
+            without_times(found.to_dict()), without_times(told_by_program("query", "mass", BLOCK))
+        )
+        face = self.block.face(1).mass()
+        self.assertEqual((face.volume, face.centre, face.parts[0].solid), (0, None, None))
+        self.assertGreater(face.area, 0)
+
+    def test_answers_go_on_as_models(self):
+        drilled = self.block.solid("cut", DRILL).model
+        self.assertAlmostEqual(drilled.volume, DRILLED, places=6)
+        self.assertAlmostEqual(drilled.solid("cut", planes=[((0, 0, 10), (0, 0, 1))]).volume, DRILLED / 2, 6)
+
+    def test_sheets_split(self):
+        wall = np.array([[(-9, -9, 5), (-9, 99, 5)], [(99, -9, 5), (99, 99, 5)]], float)
+        halves = self.block.solid("split", wall)
+        self.assertEqual(len(halves), 2)
+        self.assertAlmostEqual(halves.volume, 60 * 40 * 20, places=6)
+        with self.assertRaisesRegex(ValueError, "a sheet may be a tool of split"):
+            self.block.solid("cut", wall)
 
     def test_a_box_is_sound(self):
         found = self.block.check()
