@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
-#include "core/forms/evaluation.h"
 #include "core/surfaces/assembly/surface_assembly.h"
 #include "core/surfaces/retry/exchanged_order.h"
 #include "core/surfaces/retry/finer_tolerance.h"
@@ -24,6 +27,7 @@ using Clock = std::chrono::steady_clock;
 // and then shorter ones, so that enough is left for the long ones after all.
 constexpr long kLongPatchPart = 16;
 constexpr long kShortPatchPart = 4;
+constexpr std::size_t kExtentBlock = 1024;  // patches whose sizes one thread adds up in a row
 
 // What an attempt has left of the limits: of the time, and of the budget what the pairs decided
 // have not taken. Nothing if there is none.
@@ -129,15 +133,26 @@ SurfaceIntersection at_best_tolerance(const BoxedSurface& a, const BoxedSurface&
   return std::move(found);
 }
 
-// Squared model length; neither a turn in space nor degree elevation changes it.
+// Of a patch, squared model length.
+double diagonals(const RationalBezierPatch& patch) {
+  const Grid<Vec4>& points = patch.points;
+  const int n = points.rows() - 1, m = points.columns() - 1;
+  const Vec3 across = projected(points(n, m)) - projected(points(0, 0));
+  const Vec3 back = projected(points(0, m)) - projected(points(n, 0));
+  return dot(across, across) + dot(back, back);
+}
+
+// Squared model length; neither a turn in space nor degree elevation changes it. Summed by blocks
+// of one size, so that the number of threads changes nothing.
 double extent(const BezierSurface& surface) {
-  double sum = 0;
-  for (const RationalBezierPatch& patch : surface.patches.values()) {
-    const Vec3 low = point_at(patch, 0, 0), high = point_at(patch, 1, 1);
-    const Vec3 left = point_at(patch, 0, 1), right = point_at(patch, 1, 0);
-    sum += dot(high - low, high - low) + dot(left - right, left - right);
-  }
-  return sum;
+  const std::span<const RationalBezierPatch> patches = surface.patches.values();
+  std::vector<double> sums((patches.size() + kExtentBlock - 1) / kExtentBlock);
+  parallel_for(sums.size(), 1, [&](std::size_t k) {
+    const std::size_t first = k * kExtentBlock;
+    for (const auto& patch : patches.subspan(first, std::min(kExtentBlock, patches.size() - first)))
+      sums[k] += diagonals(patch);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 // By control points: an order of surfaces that nothing else tells apart.

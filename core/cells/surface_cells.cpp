@@ -10,7 +10,7 @@
 namespace blossom {
 namespace {
 
-constexpr std::size_t kTreeGrain = 16;  // trees that one thread makes in a row
+constexpr std::size_t kTreeGrain = 16;  // trees that one thread makes or empties in a row
 
 }  // namespace
 
@@ -40,7 +40,8 @@ void SurfaceCells::make_trees(const std::vector<int>& patches) {
 }
 
 void SurfaceCells::drop_cells() {
-  for (const int patch : made_) trees_[static_cast<std::size_t>(patch)]->drop_cells();
+  parallel_for(made_.size(), kTreeGrain,
+               [&](std::size_t k) { trees_[static_cast<std::size_t>(made_[k])]->drop_cells(); });
 }
 
 std::unique_ptr<CellTree> SurfaceCells::made_tree(int patch) const {
