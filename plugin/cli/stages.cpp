@@ -14,7 +14,10 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <new>
+#include <span>
+#include <string>
 
 #include "adapters/occt/base/errors.h"
 #include "plugin/cli/exit_code.h"
@@ -27,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 using reports::Json;
 
 constexpr std::size_t kKinds = 64;  // of stages that a profile tells apart; what is more is one
-constexpr std::size_t kShown = 12;  // lines of a profile
+constexpr std::size_t kShown = 8;   // stages that a profile names
 constexpr std::size_t kName = 256;  // bytes of a stage that a profile keeps
 
 struct StageKind {
@@ -111,18 +114,20 @@ Json end_stage(int who) {
 }
 
 void print_profile() {
-  std::array<StageKind, kKinds>& kinds = stages->kinds;
-  std::sort(kinds.begin(), kinds.begin() + static_cast<std::ptrdiff_t>(stages->kind_count),
-            [](const StageKind& a, const StageKind& b) { return a.seconds > b.seconds; });
+  const std::span<StageKind> kinds(stages->kinds.data(), stages->kind_count);
+  std::ranges::sort(kinds, std::greater<>(), &StageKind::seconds);
   const double all = std::max(between(stages->start, stages->since), 1e-9);
   std::fprintf(stderr, "blossom: %.3f s in all\n", all);
-  for (std::size_t i = 0; i < std::min(stages->kind_count, kShown); ++i) {
-    const StageKind& kind = kinds[i];
-    std::fprintf(stderr, "%10.3f s %3.0f %%  %s", kind.seconds, 100 * kind.seconds / all,
-                 kind.name);
-    if (kind.count > 1) std::fprintf(stderr, ", %zu times", kind.count);
-    std::fputc('\n', stderr);
-  }
+  const auto print = [&](double seconds, const std::string& what) {
+    std::fprintf(stderr, "%10.3f s %3.0f %%  %s\n", seconds, 100 * seconds / all, what.c_str());
+  };
+  const std::size_t shown = std::min(kinds.size(), kShown);
+  for (const StageKind& kind : kinds.first(shown))
+    print(kind.seconds,
+          kind.name + (kind.count > 1 ? ", " + std::to_string(kind.count) + " times" : ""));
+  double others = 0;
+  for (const StageKind& kind : kinds.subspan(shown)) others += kind.seconds;
+  if (shown < kinds.size()) print(others, std::to_string(kinds.size() - shown) + " other stages");
 }
 
 bool is_wanted() { return stages != nullptr && (stages->profile || stages->log[0] != '\0'); }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <sstream>
 #include <string>
@@ -98,6 +99,21 @@ TEST_F(Stages, AProfileNamesTheSlowestFirstAndCountsKinds) {
   EXPECT_TRUE(line.ends_with("%  sleeping")) << line;
   const std::string rest(std::istreambuf_iterator<char>(said), {});
   EXPECT_NE(rest.find("checking face ... of a1.step, 3 times\n"), std::string::npos) << rest;
+}
+
+TEST_F(Stages, AProfileAddsUpWhatItDoesNotName) {
+  ::testing::internal::CaptureStderr();
+  supervised([&] {
+    profile_stages();
+    for (const char* what : {"one", "two", "three", "four", "five", "six", "seven", "eight"})
+      enter(Phase::Working, what);
+    usleep(1000);
+    enter(Phase::Working, "nine");
+    return 0;
+  });
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::ranges::count(said, '\n'), 10) << said;
+  EXPECT_TRUE(said.ends_with("%  2 other stages\n")) << said;
 }
 
 TEST_F(Stages, NothingIsAddedToAModel) {
