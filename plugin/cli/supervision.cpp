@@ -13,8 +13,11 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <exception>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -39,6 +42,7 @@ constexpr std::size_t kMaxLines = 256;  // that are known when the work begins a
 
 double greatest_time_limit = 0;  // seconds; 0 for none
 bool work_crashed = false;
+std::terminate_handler uncaught_as_ever = std::abort;
 
 /// What the work tells its parent, in memory of both, and of those that begin again.
 struct Board {
@@ -228,12 +232,43 @@ std::optional<int> Watch::crashed(int signal) const {
   return kExitFailure;
 }
 
+/// Whether not even a thread's stack can be had.
+bool lacks_stack() {
+  constexpr std::size_t kStack = 8 << 20;  // bytes, what systems give a thread
+  void* const memory =
+      mmap(nullptr, kStack, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory != MAP_FAILED) munmap(memory, kStack);
+  return memory == MAP_FAILED;
+}
+
+/// Of an exception that nobody can catch, as where a library starts its threads: want of memory is
+/// no fault of the program.
+[[noreturn]] void end_uncaught() {
+  bool lacks_memory = lacks_stack();
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    lacks_memory = true;
+  } catch (...) {
+  }
+  if (!lacks_memory) uncaught_as_ever();
+  if (board->lacks_memory.exchange(true)) _exit(kExitFailure);  // another thread has told it
+  const auto say = [](const char* words) {
+    if (write(STDERR_FILENO, words, std::strlen(words)) < 0) _exit(kExitFailure);
+  };
+  say("blossom: there is not enough memory for ");
+  say(board->step[0] != '\0' ? board->step : board->subject);
+  say("\n");
+  _exit(kExitFailure);
+}
+
 /// What the child does.
 [[noreturn]] void work_as_child(const std::function<int()>& work, pid_t parent,
                                 const WatchedSignals& signals) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kExitFailure);
   limit_memory();
+  uncaught_as_ever = std::set_terminate(end_uncaught);
   watch_for_interruption();
   signals.release();
   std::exit(work());

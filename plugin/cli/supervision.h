@@ -29,7 +29,8 @@ enum class Phase {
 ///   --time-limit              the work looks at it itself; killed 0.8 s later, exit code 4.
 ///                             Writing what was found may take a tenth of the limit instead
 ///   a crash                   told with the phase and its subject; exit code 2 in reading, else 1
-///   memory                    no more than the machine has; asking for more is a std::bad_alloc
+///   memory                    no more than the machine has; asking for more is a std::bad_alloc,
+///                             told even where it cannot be caught; exit code 1
 ///
 /// returns  the exit code
 int supervised(const std::function<int()>& work);

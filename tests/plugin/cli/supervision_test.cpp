@@ -10,6 +10,7 @@
 #include <csignal>
 #include <functional>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -211,6 +212,33 @@ TEST(Supervision, AskingForAllMemoryIsAnErrorOfTheWork) {
   EXPECT_EQ(end.code, 7);
 }
 #endif
+
+// As libraries start their threads: nobody can catch what that throws.
+template <class Error>
+Ended ended_by_uncaught(const Error& error) {
+  return ended([&] {
+    enter(Phase::Working, "intersecting");
+    const auto fail = [&] { throw error; };
+    [&]() noexcept { fail(); }();
+    return 0;
+  });
+}
+
+TEST(Supervision, WantOfMemoryThatCannotBeCaughtIsNoCrash) {
+  const Ended end = ended_by_uncaught(std::bad_alloc());
+  EXPECT_EQ(end.code, 1);
+  EXPECT_FALSE(last_ending().crashed);
+  EXPECT_TRUE(last_ending().lacked_memory);
+  EXPECT_EQ(end.said, "blossom: there is not enough memory for intersecting\n");
+}
+
+TEST(Supervision, OtherErrorsThatCannotBeCaughtAreCrashes) {
+  const Ended end = ended_by_uncaught(std::runtime_error("no thread"));
+  EXPECT_EQ(end.code, 1);
+  EXPECT_TRUE(last_ending().crashed);
+  EXPECT_FALSE(last_ending().lacked_memory);
+  EXPECT_NE(end.said.find("(a failed internal check)"), std::string::npos) << end.said;
+}
 
 TEST(Supervision, TellsWhatIsLeftOfTheTimeLimit) {
   const Ended end = ended([] {
