@@ -6,8 +6,8 @@
 
 Pairs of random bicubic patches are intersected, in three runs: undisturbed, with the driver killed
 and started again, and with `--dask` through two workers of which one is killed. Every result has to be
-there once and, but for times, to be that of the undisturbed run. Prints seconds, rates and the
-driver's memory. PYTHONPATH has the package `blossom`.
+there once and, but for times, to be that of the undisturbed run. Prints seconds, rates, processor time
+and memory. PYTHONPATH has the package `blossom`.
 """
 
 import argparse
@@ -59,6 +59,11 @@ def results(file, count):
     if len(lines) != count or len(found) != count:
         sys.exit(f"{file}: {len(lines)} lines, {len(found)} jobs, not {count}")
     return found
+
+
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def run(command, kill_after=None):
@@ -127,11 +132,13 @@ def main():
     batch = [program, "batch", given.folder / "jobs.jsonl", "-q", "-j", given.in_flight, "-o"]
     calm = given.folder / "calm.jsonl"
     calm.unlink(missing_ok=True)
+    before = processor_seconds()
     seconds, code = run([*batch, calm])
+    processor = processor_seconds() - before
     memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
     expected = results(calm, given.jobs)
     print(f"undisturbed: {given.jobs} jobs, {seconds:.1f} s, {given.jobs / seconds:.1f} a second, code {code}, "
-          f"at most {memory:.0f} MB a process, {calm.stat().st_size / 1e6:.1f} MB of results", flush=True)  # fmt: skip
+          f"{processor:.2f} s of processor time, at most {memory:.0f} MB a process, {calm.stat().st_size / 1e6:.1f} MB of results", flush=True)  # fmt: skip
     if given.disturb:
         out = given.folder / "disturbed.jsonl"
         out.unlink(missing_ok=True)
