@@ -7,7 +7,9 @@
 #include <string>
 
 #include <Interface_Static.hxx>
+#include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
@@ -44,6 +46,20 @@ void take_over(STEPCAFControl_Reader& reader, const Handle(XSControl_WorkSession
   session->SetMapReader(made);
 }
 
+/// Open CASCADE says nothing of parts that it does not find in their files.
+void list_lost_files(const STEPCAFControl_Reader& reader, ReadingReport& report) {
+  for (auto it = reader.ExternFiles().cbegin(); it != reader.ExternFiles().cend(); ++it) {
+    const Handle(STEPCAFControl_ExternFile)& file = *it;
+    if (file->GetLoadStatus() == IFSelect_RetDone && file->GetTransferStatus()) continue;
+    const Handle(TCollection_HAsciiString) name = file->GetName();
+    report.add({"part",
+                "nothing can be read from its file",
+                true,
+                1,
+                {name.IsNull() ? "without a name" : name->ToCString()}});
+  }
+}
+
 }  // namespace
 
 void add_step(const Handle(Standard_Transient) & session, Reading& reading) {
@@ -53,7 +69,9 @@ void add_step(const Handle(Standard_Transient) & session, Reading& reading) {
   ask_for_face_names(reading.report);
   add_with_names(reading, [&](Document& document) {
     Handle(TDocStd_Document) target = document.handle();
-    return reader.Transfer(target);
+    const bool done = reader.Transfer(target);
+    list_lost_files(reader, reading.report);
+    return done;
   });
 }
 

@@ -17,8 +17,17 @@
 namespace blossom::occt {
 namespace {
 
+/// False for compounds of nothing but compounds.
+bool holds_shapes(const TopoDS_Shape& shape) {
+  if (shape.ShapeType() != TopAbs_COMPOUND) return true;
+  for (TopoDS_Iterator it(shape); it.More(); it.Next())
+    if (holds_shapes(it.Value())) return true;
+  return false;
+}
+
 bool is_empty(const TopoDS_Shape& shape) {
-  return shape.IsNull() || (shape.ShapeType() != TopAbs_VERTEX && !TopoDS_Iterator(shape).More());
+  return shape.IsNull() || !holds_shapes(shape) ||
+         (shape.ShapeType() != TopAbs_VERTEX && !TopoDS_Iterator(shape).More());
 }
 
 void require_shape(const TopoDS_Shape& shape, const ReadingReport& report) {
@@ -67,7 +76,7 @@ void read_into(Reading& reading, StatedTolerances& stated) {
   require_shape(reading.contents.shape, reading.report);
   // Only BREP files state tolerances; others have those that Open CASCADE's readers find.
   if (content.format != Format::Brep) stated = StatedTolerances::Raised;
-  if (!content.cut) kept.keep(reading, stated);
+  if (!content.cut && !reading.has_other_files) kept.keep(reading, stated);
 }
 
 }  // namespace

@@ -36,6 +36,7 @@
 #include "adapters/occt/exchange/step.h"
 #include "adapters/occt/exchange/step_faults.h"
 #include "adapters/occt/exchange/step_names.h"
+#include "adapters/occt/exchange/step_other_files.h"
 #include "adapters/occt/exchange/step_text.h"
 
 namespace blossom::occt {
@@ -196,7 +197,9 @@ Handle(Standard_Transient) read_step(Reading& reading) {
   PlainParts& parts = reading.contents.parts;
   for (int i = 1; i <= reader.NbShapes(); ++i) parts.push_back({reader.Shape(i)});
 
-  if (reading.options.names && (reading.options.looks || !are_plain(parts, *model, made)))
+  const bool follows = keep_to_own_folder(reader.WS(), reading);
+  if (reading.options.names &&
+      (follows || reading.options.looks || !are_plain(parts, *model, made)))
     return reader.WS();
   take_names(reading, *model, made);
   return {};

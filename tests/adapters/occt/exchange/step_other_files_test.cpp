@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Parts in other STEP files: those beside the model are read, and no name leads anywhere else.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <string>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <Interface_Static.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Controller.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopoDS_Compound.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <gp_Pnt.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/shapes.h"
+#include "tests/adapters/occt/exchange/shapes_files.h"
+
+namespace blossom::occt {
+namespace {
+
+using testing::content;
+using testing::Folder;
+using testing::write_content;
+
+constexpr int kFacesOfBox = 6, kFacesOfBall = 1;
+
+// An assembly of a box and a ball, each in a file of its own: part_SOLID.stp, part_SOLID_1.stp.
+void write_apart(const std::filesystem::path& file) {
+  TopoDS_Compound both;
+  BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(10, 10, 10).Shape());
+  builder.Add(both, BRepPrimAPI_MakeSphere(gp_Pnt(30, 0, 0), 4).Shape());
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  XCAFDoc_DocumentTool::ShapeTool(document->Main())->AddShape(both, true);
+  STEPControl_Controller::Init();
+  Interface_Static::SetCVal("write.step.unit", "MM");
+  STEPCAFControl_Writer writer;
+  writer.Transfer(document, STEPControl_AsIs, "part_");
+  writer.Write(file.c_str());
+  XCAFApp_Application::GetApplication()->Close(document);
+}
+
+class StepInOtherFiles : public ::testing::Test {
+ protected:
+  void SetUp() override { write_apart(folder / "main.stp"); }
+
+  // The box is said to be somewhere else.
+  std::filesystem::path with_box_in(const std::string& name) const {
+    std::string text = content(folder / "main.stp");
+    const std::string before = "part_SOLID.stp";
+    for (std::size_t i = 0; (i = text.find(before, i)) != std::string::npos; i += name.size())
+      text.replace(i, before.size(), name);
+    write_content(folder / "changed.stp", text);
+    return folder / "changed.stp";
+  }
+
+  // Only the ball is there, and it is said why.
+  void expect_ball(const std::filesystem::path& file, const std::string& cause) const {
+    const Model model = read_model(file);
+    EXPECT_EQ(model.face_count(), kFacesOfBall);
+    EXPECT_EQ(model.reading().grade(), ReadingGrade::ShapesLost);
+    ASSERT_FALSE(model.reading().losses.empty());
+    EXPECT_EQ(model.reading().losses.front().what, "part");
+    EXPECT_EQ(model.reading().losses.front().cause, cause);
+  }
+
+  const Folder folder;
+};
+
+TEST_F(StepInOtherFiles, PartsBesideTheModelAreRead) {
+  const Model model = read_model(folder / "main.stp");
+  EXPECT_EQ(model.face_count(), kFacesOfBox + kFacesOfBall);
+  EXPECT_EQ(model.reading().grade(), ReadingGrade::Whole);
+}
+
+TEST_F(StepInOtherFiles, NoNameLeadsOutOfTheFolder) {
+  const Folder outside;
+  std::filesystem::copy(folder / "part_SOLID.stp", outside / "box.stp");
+  const std::string cause = "its file would be outside of the model's folder";
+  expect_ball(with_box_in(outside / "box.stp"), cause);
+  expect_ball(with_box_in("../" + outside.path().filename().string() + "/box.stp"), cause);
+}
+
+TEST_F(StepInOtherFiles, WhatIsNoFileIsNotOpened) {
+  ASSERT_EQ(mkfifo((folder / "pipe.stp").c_str(), 0600), 0);  // who opens it waits for ever
+  expect_ball(with_box_in("pipe.stp"), "what it names is no regular file");
+  expect_ball(with_box_in("none.stp"), "its file is not beside the model");
+}
+
+TEST_F(StepInOtherFiles, NamesInNamedFilesAreNotFollowed) {
+  const std::string cause = "its file names others, which are not followed";
+  expect_ball(with_box_in("main.stp"), cause);
+  expect_ball(with_box_in("changed.stp"), cause);  // itself
+}
+
+TEST_F(StepInOtherFiles, FilesThatCannotBeReadAreTold) {
+  write_content(folder / "words.stp", "no model\n");
+  expect_ball(with_box_in("words.stp"), "nothing can be read from its file");
+}
+
+TEST_F(StepInOtherFiles, AModelOfWhichNoPartIsThereIsRefused) {
+  const Folder alone;
+  std::filesystem::copy(folder / "main.stp", alone / "main.stp");
+  EXPECT_THROW(read_model(alone / "main.stp"), BadModel);
+}
+
+}  // namespace
+}  // namespace blossom::occt
