@@ -3,28 +3,20 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 #include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
-#include <BRep_Tool.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
-#include <StepGeom_SphericalSurface.hxx>
-#include <StepShape_Edge.hxx>
-#include <StepShape_EdgeLoop.hxx>
-#include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
-#include <StepShape_OrientedEdge.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -37,36 +29,11 @@
 #include "adapters/occt/exchange/step_faults.h"
 #include "adapters/occt/exchange/step_names.h"
 #include "adapters/occt/exchange/step_other_files.h"
+#include "adapters/occt/exchange/step_sides.h"
 #include "adapters/occt/exchange/step_text.h"
 
 namespace blossom::occt {
 namespace {
-
-/// How many edges the loops of a face use once in each direction, as seams.
-int seams_of(const StepShape_FaceSurface& face) {
-  std::map<const Standard_Transient*, int> uses;
-  for (int i = 1; i <= face.NbBounds(); ++i) {
-    const auto bound = face.BoundsValue(i);
-    if (bound.IsNull()) continue;
-    const auto loop = Handle(StepShape_EdgeLoop)::DownCast(bound->Bound());
-    for (int k = 1; !loop.IsNull() && k <= loop->NbEdgeList(); ++k)
-      ++uses[loop->EdgeListValue(k)->EdgeElement().get()];
-  }
-  return static_cast<int>(
-      std::count_if(uses.begin(), uses.end(), [](const auto& use) { return use.second == 2; }));
-}
-
-/// Open CASCADE takes a seam that runs from a border to a pole of a sphere and back for a notch,
-/// and then turns the border round: what is left is the part of the sphere that was missing.
-bool is_turned_round(const StepShape_FaceSurface& face, const TopoDS_Shape& made) {
-  if (!face.FaceGeometry()->IsKind(STANDARD_TYPE(StepGeom_SphericalSurface))) return false;
-  if (made.ShapeType() != TopAbs_FACE || seams_of(face) == 0) return false;
-  for (TopExp_Explorer it(made, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-    if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, TopoDS::Face(made))) return false;
-  }
-  return true;
-}
 
 /// What Open CASCADE says against an entity while it makes shapes.
 std::string transfer_cause(const Transfer_TransientProcess& made,
@@ -85,6 +52,13 @@ class Results {
  public:
   Results(const StepOwners& owners, const Transfer_TransientProcess& made, ReadingReport& report)
       : owners_(owners), made_(made), report_(report) {}
+
+  void list_turned(const std::vector<Handle(StepShape_FaceSurface)>& faces) {
+    for (const auto& face : faces)
+      add(face, "face",
+          "it is not what the file says: Open CASCADE takes its border for that of the rest of the "
+          "surface");
+  }
 
   void list(const std::set<const Standard_Transient*>& known) {
     for (int i = 1; i <= owners_.model().NbEntities(); ++i) {
@@ -111,10 +85,6 @@ class Results {
       if (binder.IsNull() && !owners_.product(face).expected) return;
       const std::string cause = transfer_cause(made_, face);
       add(face, "face", cause.empty() ? "Open CASCADE makes no face of it" : cause);
-    } else if (is_turned_round(*face, shape)) {
-      add(face, "face",
-          "it is not what the file says: Open CASCADE takes its border for that of the rest of the "
-          "sphere");
     }
   }
 
@@ -192,10 +162,15 @@ Handle(Standard_Transient) read_step(Reading& reading) {
   reading.begin("transferring the shapes");
   transfer_roots(reader, reading.report);
   find_unit(reader, reading.contents);
-  const Transfer_TransientProcess& made = *reader.WS()->TransferReader()->TransientProcess();
-  Results(owners, made, reading.report).list(left_out);
+  Transfer_TransientProcess& made = *reader.WS()->TransferReader()->TransientProcess();
+  const TurnedFaces turned = mend_turned_faces(*model, made);
+  Results results(owners, made, reading.report);
+  results.list(left_out);
+  results.list_turned(turned.left);
   PlainParts& parts = reading.contents.parts;
-  for (int i = 1; i <= reader.NbShapes(); ++i) parts.push_back({reader.Shape(i)});
+  for (int i = 1; i <= reader.NbShapes(); ++i)
+    parts.push_back(
+        {turned.mended.IsNull() ? reader.Shape(i) : turned.mended->Apply(reader.Shape(i))});
 
   const bool follows = keep_to_own_folder(reader.WS(), reading);
   if (reading.options.names &&
