@@ -21,8 +21,6 @@ namespace {
 // Along an oblique curve, a meeting is known that much worse than the distance that counts.
 constexpr double kMeetingReach = 10 * kOnBorder;
 
-constexpr std::array kBetween{0.25, 0.5, 0.75};
-
 bool holds(const PlanarBox& box, const PlanarBox& other) {
   for (int k = 0; k < 2; ++k) {
     const double error = kNaturalError * (box.high[k] - box.low[k]);
@@ -147,102 +145,6 @@ std::vector<Interval> united(std::vector<Interval> intervals) {
   std::vector<Interval> joined;
   for (const Interval& interval : intervals) append(joined, interval);
   return joined;
-}
-
-const Coedge& coedge_of(const FaceTrims& trims, const TrimMeeting& meeting) {
-  return trims
-      .loops[static_cast<std::size_t>(meeting.loop)][static_cast<std::size_t>(meeting.coedge)];
-}
-
-// Where a curve passes the corner of two neighbouring coedges from one meeting to the next, within
-// tolerance.
-std::optional<double> at_corner(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
-                                const TrimMeeting& a, const TrimMeeting& b) {
-  const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
-  if (a.loop != b.loop) return {};
-  const auto passed = [&](int corner) -> std::optional<double> {
-    const Vec2& point = trims.corners[static_cast<std::size_t>(corner)];
-    const double at = std::clamp(nearest(curve, point).parameter, a.at, b.at);
-    if (distance(point_at(curve, at), point) > tolerance) return {};
-    return at;
-  };
-  std::optional<double> at;
-  if (of_a.to == of_b.from) at = passed(of_a.to);
-  if (!at && of_a.from == of_b.to) at = passed(of_a.from);
-  return at;
-}
-
-// Whether a curve keeps within tolerance of an edge, or of two at their corner, from one meeting to
-// the next, which are farther apart than that, but no farther than a touch may take: where it
-// touches then, half way or in the corner.
-std::optional<double> one_touch_at(const FaceTrims& trims, const PlanarCurve& curve,
-                                   double tolerance, const TrimMeeting& a, const TrimMeeting& b) {
-  const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
-  const double half_way = 0.5 * (a.at + b.at);
-  const Vec2 middle = point_at(curve, half_way);
-  const double length =
-      distance(point_at(curve, a.at), middle) + distance(middle, point_at(curve, b.at));
-  if (length <= tolerance || length > tangency_length(trims, tolerance)) return {};
-  const bool keeps = std::all_of(kBetween.begin(), kBetween.end(), [&](double t) {
-    const Vec2 point = point_at(curve, at(Interval{a.at, b.at}, t));
-    return nearest(of_a.curve, point).distance <= tolerance ||
-           nearest(of_b.curve, point).distance <= tolerance;
-  });
-  if (!keeps) return {};
-  if (&of_a == &of_b) return half_way;
-  return at_corner(trims, curve, tolerance, a, b);
-}
-
-// A curve that touches an edge may cross it twice by what curve or edge are off: one meeting, so
-// that it stays whole there. Not where it runs along the edge.
-void join_double_touches(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
-                         ClippedCurve& found) {
-  const auto has_run = [&](const TrimMeeting& a, const TrimMeeting& b) {
-    return std::any_of(found.runs.begin(), found.runs.end(), [&](const TrimRun& run) {
-      return run.at.from <= b.at && a.at <= run.at.to;
-    });
-  };
-  std::vector<TrimMeeting> kept;
-  for (const TrimMeeting& meeting : found.meetings) {
-    std::optional<double> touch;
-    if (!kept.empty() && !has_run(kept.back(), meeting))
-      touch = one_touch_at(trims, curve, tolerance, kept.back(), meeting);
-    if (!touch) {
-      kept.push_back(meeting);
-      continue;
-    }
-    TrimMeeting& last = kept.back();
-    const PlanarFoot foot = nearest(coedge_of(trims, last).curve, point_at(curve, *touch));
-    last = {*touch, last.loop, last.coedge, foot.parameter, {last.touch.from, meeting.touch.to}};
-  }
-  found.meetings = std::move(kept);
-}
-
-// A closed curve may touch an edge where it begins and ends: then it is whole there, too.
-void join_touch_at_ends(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
-                        ClippedCurve& found) {
-  const Interval domain = curve.domain();
-  if (found.meetings.size() < 2 || !found.runs.empty() ||
-      distance(point_at(curve, domain.from), point_at(curve, domain.to)) > tolerance)
-    return;
-  TrimMeeting &first = found.meetings.front(), &last = found.meetings.back();
-  if (first.at == domain.from || last.at == domain.to) return;
-  const Coedge& of = coedge_of(trims, first);
-  if (&of != &coedge_of(trims, last)) return;
-  double length = 0;
-  for (const Interval& part : {Interval{domain.from, first.at}, {last.at, domain.to}}) {
-    Vec2 before = point_at(curve, part.from);
-    for (const double t : {0.25, 0.5, 0.75, 1.0}) {
-      const Vec2 point = point_at(curve, at(part, t));
-      if (nearest(of.curve, point).distance > tolerance) return;
-      length += distance(before, point);
-      before = point;
-    }
-  }
-  if (length > tangency_length(trims, tolerance)) return;
-  const double place = nearest(of.curve, point_at(curve, domain.from)).parameter;
-  first = {domain.from, first.loop, first.coedge, place, {domain.from, first.at}};
-  last = {domain.to, last.loop, last.coedge, place, {last.at, domain.to}};
 }
 
 PlanarBox box_of_poles(const Spline2& chart, const Vec2& scale) {
@@ -390,8 +292,7 @@ ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double to
     }
   std::sort(found.meetings.begin(), found.meetings.end(),
             [](const TrimMeeting& a, const TrimMeeting& b) { return a.at < b.at; });
-  join_double_touches(trims, curve, tolerance, found);
-  join_touch_at_ends(trims, curve, tolerance, found);
+  join_touches(trims, curve, tolerance, found);
   found.inside = inside_of(trims, curve, found, false);
   return found;
 }

@@ -25,4 +25,9 @@ const Coedge* coedge_near(const FaceTrims& trims, const PlanarBox& box, double m
 const Coedge* coedge_at(const FaceTrims& trims, const Vec2& point,
                         Wires wires = Wires::WithTolerances);
 
+/// Joins meetings, and runs, of a curve with wires that are one touch each, or one end of the
+/// curve. found   meetings by increasing parameter
+void join_touches(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
+                  ClippedCurve& found);
+
 }  // namespace blossom::occt

@@ -50,7 +50,8 @@ struct Side {
 struct CurveUse {
   std::size_t face_a = 0, cut_a = 0;
   std::size_t face_b = 0, cut_b = 0;
-  bool touch = false;  // the faces do not cross there
+  bool touch = false;      // the faces do not cross there
+  double uncertainty = 0;  // how far beyond the vertices it ends in it may go on
 };
 
 void add_curve(const FaceIntersection& pair, std::size_t place, Side& a, Side& b,
@@ -112,8 +113,13 @@ void tell_borders(const FaceSplitter& from, int cut, FaceSplitter& to, int as) {
     if (!stop.vertex.IsNull()) to.meet(as, stop);
 }
 
+// At the first and the last stop of a cut.
+double end_uncertainty(const std::vector<CutStop>& stops) {
+  return stops.empty() ? 0 : std::max(stops.front().uncertainty, stops.back().uncertainty);
+}
+
 // Every curve is divided at the same places on both sides.
-void exchange_stops(Side& a, Side& b, const std::vector<CurveUse>& uses) {
+void exchange_stops(Side& a, Side& b, std::vector<CurveUse>& uses) {
   for (const CurveUse& use : uses) {
     FaceSplitter &on_a = *a.faces[use.face_a].splitter(), &on_b = *b.faces[use.face_b].splitter();
     const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);
@@ -123,12 +129,13 @@ void exchange_stops(Side& a, Side& b, const std::vector<CurveUse>& uses) {
   for (Side* side : {&a, &b})
     for (const FaceDivision& face : side->faces)
       if (face.splitter() != nullptr) face.splitter()->tidy();
-  for (const CurveUse& use : uses) {
+  for (CurveUse& use : uses) {
     FaceSplitter &on_a = *a.faces[use.face_a].splitter(), &on_b = *b.faces[use.face_b].splitter();
     const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);
     const std::vector<CutStop> of_a = on_a.stops(cut_a), of_b = on_b.stops(cut_b);
     for (const CutStop& stop : of_b) on_a.divide(cut_a, stop);
     for (const CutStop& stop : of_a) on_b.divide(cut_b, stop);
+    use.uncertainty = std::max(end_uncertainty(of_a), end_uncertainty(of_b));
   }
 }
 
@@ -141,7 +148,7 @@ void lay(const std::vector<std::vector<TopoDS_Edge>>& edges, const CommonEdges& 
     }
 }
 
-void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, const CommonEdges& common,
+void split_both(Side& a, Side& b, std::vector<CurveUse>& uses, const CommonEdges& common,
                 const DivisionJob& job) {
   common.split(job.splits);
   for (Side* side : {&a, &b})
@@ -198,10 +205,12 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const CurveUse& use = uses[i];
     const Spline& curve = a.faces[use.face_a].cuts()[use.cut_a].curve;
-    // Ends that stick out over the border of a face by its edges' tolerances are left out; more
-    // would be an intersection that is lost.
-    const double allowed = kMaxRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
-                                               largest_tolerance(b.solid->faces[use.face_b]));
+    // Ends that stick out over the border of a face by its edges' tolerances, or by what a vertex is
+    // uncertain, are left out; more would be an intersection that is lost.
+    const double allowed =
+        std::max(kMaxRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
+                                     largest_tolerance(b.solid->faces[use.face_b])),
+                 use.uncertainty);
     const bool alike = match(on_a[i], on_b[i]);
     if (use.touch && !alike) continue;  // what only touches may divide one face alone
     if (!alike || (!use.touch && longest_rest(curve, on_a[i], on_b[i]) > allowed)) {

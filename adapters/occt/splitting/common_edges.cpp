@@ -22,6 +22,7 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "adapters/occt/splitting/edge_meetings.h"
 #include "adapters/occt/splitting/edge_stretches.h"
 #include "adapters/occt/splitting/limits.h"
 #include "core/bounds/box_tree.h"
@@ -273,7 +274,8 @@ void CommonEdges::meet(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   options.tolerances.point =
       std::max(std::max(reach(a), reach(b)) / kLiesReach, stated_together(a, b));
   const CurveIntersection found = intersect(a, b, options);
-  for (const CurvePoint& point : found.points) meetings_.push_back({a, b, point.a, point.b});
+  for (const CurvePoint& point : found.points)
+    meetings_.push_back(moved_to_end({a, b, point.a, point.b}, options.tolerances.point));
   for (const CurveOverlap& run : found.overlaps) {
     along_.push_back({a, b, run.a, run.b});
     meetings_.push_back({a, b, run.a.from, run.b.from});

@@ -332,7 +332,8 @@ void FaceSplitter::finish_stops(LiftedCut& lifted_cut) {
   tidy_stops(lifted_cut, 8 * reach(lifted_cut));
 }
 
-// Of two stops the one on the other side's border stays.
+// Of two stops the one on the other side's border stays, or the one nearer to the vertex: beside it
+// the cut has another direction, by which it may seem to lie on the other side of what it crosses.
 void FaceSplitter::tidy_stops(LiftedCut& lifted_cut, double reach) const {
   const auto is_met = [&](double at) {
     return std::find(lifted_cut.met.begin(), lifted_cut.met.end(), at) != lifted_cut.met.end();
@@ -345,10 +346,18 @@ void FaceSplitter::tidy_stops(LiftedCut& lifted_cut, double reach) const {
     return is_near(lifted_cut.curve, a.first, b.first, std::max(reach, of.uncertainty)) ||
            keeps_near(lifted_cut.curve, of.point, a.first, b.first, of.uncertainty);
   };
+  const auto off = [&](const std::pair<double, int>& stop) {
+    return distance(point_at(lifted_cut.curve, stop.first),
+                    vertices_[static_cast<std::size_t>(stop.second)].point);
+  };
+  const auto stays = [&](const std::pair<double, int>& kept, const std::pair<double, int>& next) {
+    if (is_met(kept.first) != is_met(next.first)) return is_met(kept.first);
+    return off(kept) <= off(next);
+  };
   for (const auto& stop : lifted_cut.stops) {
     if (stops.empty() || !are_one(stops.back(), stop))
       stops.push_back(stop);
-    else if (is_met(stop.first) && !is_met(stops.back().first))
+    else if (!stays(stops.back(), stop))
       stops.back() = stop;
   }
   lifted_cut.stops = std::move(stops);

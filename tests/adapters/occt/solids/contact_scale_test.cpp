@@ -100,7 +100,7 @@ TEST(SolidsBetweenTouchingAndApart, AreCombinedWithTheirMovedCopies) {
 // meet there end where they do by less than the tolerance, divided by that angle.
 TEST(SolidsBetweenTouchingAndApart, MeetTheirMovedCopiesAtSmallAngles) {
   constexpr double kRadius = 5, kHeight = 10;
-  for (const double off : {1e-3, 1e-2}) {
+  for (const double off : {1e-4, 1e-3, 1e-2}) {
     SCOPED_TRACE(off);
     gp_Trsf move;
     move.SetTranslation({0.48 * off, 0.6 * off, 0.64 * off});

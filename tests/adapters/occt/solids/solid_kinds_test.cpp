@@ -234,6 +234,16 @@ TEST(SolidKinds, ABoxMayStandOnTheEndOfABentPipe) {
   expect_volumes(pipe, 160 * kPi * kPi, box, 180, 0);
 }
 
+// The circle in the side x = 0 and the seam end in the corner (0, 8, 0), where they touch edges; by
+// what the ball is too high they cross these 3e-6 from there.
+TEST(SolidKinds, WhatTouchesAnEdgeInACornerMayCrossItBesideThat) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, 7, -2), gp_Pnt(4, 8, 0)).Shape();
+  const double c = std::sqrt(3) / 2;
+  const TopoDS_Shape ball =
+      BRepPrimAPI_MakeSphere(gp_Ax2({-5e-12, 8, -2 + 2.2e-12}, {-c, 0, 0.5}, {0.5, 0, c}), 2);
+  expect_volumes(box, 8, ball, 32 * kPi / 3, kPi / 4 * (4 - 1.0 / 3));
+}
+
 TEST(SolidKinds, AFlatFaceMayBeASpline) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
   const TopoDS_Shape spline = BRepBuilderAPI_NurbsConvert(box).Shape();
