@@ -56,7 +56,8 @@ void give_out(const SolidTrimResult& made, SolidTrimResult& result) {
 struct LayerWork {
   const SharedLimit& limit;
   ConeVolumes& cones;
-  SolidTrimResult told;  // no solids
+  TopTools_MapOfShape valid;  // faces that need not be checked
+  SolidTrimResult told;       // no solids
 
   bool is_refused() const { return !told.obstacles.empty(); }
   /// Two stages; faces come from where those of the two do.
@@ -74,11 +75,12 @@ struct LayerWork {
 SolidTrimResult LayerWork::step(const LabelledSolid& first, const LabelledSolid& second,
                                 SolidOperation operation) {
   SolidTrimResult made =
-      combined_pair(first.solid, second.solid, operation, limit.remaining(), cones);
+      combined_pair(first.solid, second.solid, operation, limit.remaining(), cones, valid);
   for (SolidFace& face : made.faces) {
     const LabelledSolid& of = face.tool < 0 ? first : second;
     const SolidFace& origin = of.faces[static_cast<std::size_t>(face.from)];
     face = {face.face, origin.tool, origin.from};
+    valid.Add(face.face);
   }
   note(made, told);
   return made;
@@ -190,25 +192,13 @@ void check_closed(const TrimTool& input, const std::string& name) {
     throw InvalidInput("trim: " + name + " is no closed solid: " + describe_open_shell(input));
 }
 
+// Those of inputs, which are as they were given.
 TopTools_MapOfShape faces_of(const TrimTool& part, const std::vector<TrimTool>& tools) {
   TopTools_MapOfShape faces;
   for (const TopoDS_Face& face : part.faces) faces.Add(face);
   for (const TrimTool& tool : tools)
     for (const TopoDS_Face& face : tool.faces) faces.Add(face);
   return faces;
-}
-
-// Of the result alone: what is made on the way to it is measured, and goes into it or is gone.
-void check_solids(const TopTools_MapOfShape& given, const WorkLimit& limit,
-                  SolidTrimResult& result) {
-  guarded("checking solids", [&] {
-    for (const TopoDS_Solid& solid : result.solids) {
-      check_limit(&limit, "checking solids");
-      if (is_valid(solid, given)) continue;
-      result.obstacles.emplace_back("a solid is not valid by BRepCheck");
-      break;
-    }
-  });
 }
 
 double volume_of(const std::vector<TopoDS_Face>& faces, ConeVolumes& cones) {
@@ -243,12 +233,15 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
     const TrueInputs sound(part, tools, own_limit);
     StagedInputs inputs(sound.part(), sound.tools(), options.tolerances.point, limit);
     ConeVolumes cones(cone_apex(sound.part()));
-    LayerWork work{limit, cones, {}};
+    LayerWork work{limit, cones, faces_of(part, tools), {}};
     result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
                                                : divided(inputs, operation, work);
     note(work.told, result);
     result.tolerances = sound.told();
-    if (result.obstacles.empty()) check_solids(faces_of(part, tools), own_limit, result);
+    // Later steps may have changed edges and vertices of faces that are left of earlier ones.
+    if (result.obstacles.empty() && result.volumes.size() > 1 &&
+        !are_valid(result.solids, faces_of(part, tools), own_limit))
+      result.obstacles.emplace_back(kInvalidSolid);
     if (result.obstacles.empty())
       result.total = total_of(sound.part(), sound.tools(), result.solids, cones);
   } catch (const Failure& error) {

@@ -20,6 +20,7 @@
 #include "adapters/occt/solids/sheet_split.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/solids/solid_shells.h"
+#include "adapters/occt/solids/solid_validity.h"
 #include "adapters/occt/splitting/common_edges.h"
 #include "core/base/work_limit.h"
 
@@ -135,10 +136,19 @@ void put_together(const SolidPieces& pieces, const TrimTool& part, const TrimToo
     result.obstacles.emplace_back("the volumes do not add up");
 }
 
+// What is done, whatever the attempt.
+struct PairJob {
+  const TrimTool& part;
+  const TrimTool& tool;
+  SolidOperation operation;
+  ConeVolumes& cones;
+  const TopTools_MapOfShape& valid;  // faces that need not be checked
+};
+
 // What is within the options' tolerance is one.
-SolidTrimResult combined_at(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                            Attempt attempt, const IntersectionOptions& options,
-                            ConeVolumes& cones) {
+SolidTrimResult combined_at(const PairJob& job, Attempt attempt,
+                            const IntersectionOptions& options) {
+  const auto& [part, tool, operation, cones, valid] = job;
   const WorkLimit limit(options);
   const SolidPieces pieces = solid_pieces(part, tool, attempt, options);
   SolidTrimResult result;
@@ -152,6 +162,8 @@ SolidTrimResult combined_at(const TrimTool& part, const TrimTool& tool, SolidOpe
       put_together(pieces, part, tool, operation, cones, limit, result);
     else
       divide_by_sheet(pieces, part, cones, limit, result);
+    if (result.obstacles.empty() && !are_valid(result.solids, valid, limit))
+      result.obstacles.emplace_back(kInvalidSolid);
   } catch (const Failure& error) {
     result.obstacles.emplace_back(error.what());
     if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
@@ -182,9 +194,11 @@ double SolidVolumes::fuse_error() const {
 }
 
 SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                              const IntersectionOptions& options, ConeVolumes& cones) {
+                              const IntersectionOptions& options, ConeVolumes& cones,
+                              const TopTools_MapOfShape& valid) {
   const SharedLimit limit(options);
-  const SolidTrimResult first = combined_at(part, tool, operation, Attempt::First, options, cones);
+  const PairJob job{part, tool, operation, cones, valid};
+  const SolidTrimResult first = combined_at(job, Attempt::First, options);
   if (first.obstacles.empty() || limit.is_reached()) return first;
   const double point = options.tolerances.point;
   const double scale =
@@ -199,7 +213,7 @@ SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidO
     if (limit.is_reached()) break;
     IntersectionOptions left = limit.remaining();
     left.tolerances.point = tolerance;
-    SolidTrimResult other = combined_at(part, tool, operation, attempt, left, cones);
+    SolidTrimResult other = combined_at(job, attempt, left);
     if (!other.obstacles.empty()) continue;
     if (tolerance != point) tell_scale(tolerance, other);
     return other;

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <TopTools_MapOfShape.hxx>
+
 #include "adapters/occt/queries/cone_volumes.h"
 #include "adapters/occt/solid_trim.h"
 #include "core/math/vec.h"
@@ -14,19 +16,26 @@ namespace blossom::occt {
 /// throws   BadModel if the part's first face has no vertex
 Vec3 cone_apex(const TrimTool& part);
 
+/// What is told of a solid that `are_valid` refuses.
+inline constexpr const char* kInvalidSolid = "a solid is not valid by BRepCheck";
+
 /// One step of `trim_solids`: a part and one tool. Every step measures all three results, whichever
 /// is asked for, since only together their volumes can be checked.
+///
+/// Solids and the faces that are new in them are checked by BRepCheck.
 ///
 /// Where the options' tolerance leads to obstacles, the two are combined once more at the scale of
 /// the gaps between them (contact_scale.h), which is told.
 ///
 /// part, tool   closed solids; the tool may be a sheet, which splits whatever the operation is
 /// cones        under faces of both and of what is made of them
+/// valid        faces that need not be checked, in any orientation
 /// returns      volumes of this step; faces as pieces of the part (`tool` is -1) and of the tool
 /// (0);
 ///              what stands against the result in `obstacles`, with Stopped if it is the time limit
 /// throws       BadModel if a face cannot be converted
 SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                              const IntersectionOptions& options, ConeVolumes& cones);
+                              const IntersectionOptions& options, ConeVolumes& cones,
+                              const TopTools_MapOfShape& valid);
 
 }  // namespace blossom::occt

@@ -10,6 +10,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/solids/faces_to_check.h"
 #include "adapters/occt/solids/polygon_faces.h"
 
@@ -44,6 +46,16 @@ bool shells_are_valid(const TopoDS_Solid& solid) {
 bool is_valid(const TopoDS_Solid& solid, const TopTools_MapOfShape& known) {
   const Handle(BRepCheck_Solid) whole = new BRepCheck_Solid(solid);
   return has_none(whole->Status()) && shells_are_valid(solid) && new_faces_are_valid(solid, known);
+}
+
+bool are_valid(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShape& known,
+               const WorkLimit& limit) {
+  return guarded("checking solids", [&] {
+    return std::ranges::all_of(solids, [&](const TopoDS_Solid& solid) {
+      check_limit(&limit, "checking solids");
+      return is_valid(solid, known);
+    });
+  });
 }
 
 }  // namespace blossom::occt

@@ -3,8 +3,12 @@
 
 #pragma once
 
+#include <vector>
+
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Solid.hxx>
+
+#include "core/base/work_limit.h"
 
 namespace blossom::occt {
 
@@ -13,5 +17,11 @@ namespace blossom::occt {
 ///
 /// known   faces of inputs, in any orientation
 bool is_valid(const TopoDS_Solid& solid, const TopTools_MapOfShape& known);
+
+/// Of all solids.
+/// limit    asked before each
+/// throws   Failure when the limit is reached
+bool are_valid(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShape& known,
+               const WorkLimit& limit);
 
 }  // namespace blossom::occt
