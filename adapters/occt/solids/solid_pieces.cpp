@@ -205,8 +205,8 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const CurveUse& use = uses[i];
     const Spline& curve = a.faces[use.face_a].cuts()[use.cut_a].curve;
-    // Ends that stick out over the border of a face by its edges' tolerances, or by what a vertex is
-    // uncertain, are left out; more would be an intersection that is lost.
+    // Ends that stick out over the border of a face by its edges' tolerances, or by what a vertex
+    // is uncertain, are left out; more would be an intersection that is lost.
     const double allowed =
         std::max(kMaxRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
                                      largest_tolerance(b.solid->faces[use.face_b])),
