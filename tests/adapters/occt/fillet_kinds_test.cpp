@@ -19,9 +19,12 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomAPI_Interpolate.hxx>
 #include <GeomLProp_SLProps.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
@@ -260,6 +263,40 @@ TEST(ChamferOfALoft, IsMadeFarFromTheOrigin) {
   expect_sound(made);
   ASSERT_EQ(made.solids.size(), 1U);
   EXPECT_LT(made.solids.front().volume, made.volume_before);
+}
+
+// The rim of a loft whose sections have six bumps, as splines that close smoothly.
+TEST(ChamferOfALoft, KeepsToItsBordersBetweenTheKnotsOfItsEdge) {
+  BRepOffsetAPI_ThruSections maker(true);
+  for (const double z : {0., 9., 18.}) {
+    const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 6);
+    for (int i = 0; i < 6; ++i) {
+      const double angle = i * kPi / 3, reach = i % 2 == 0 ? 8 : 6 + z / 20;
+      points->SetValue(i + 1, gp_Pnt(reach * std::cos(angle), reach * std::sin(angle), z));
+    }
+    GeomAPI_Interpolate closed(points, Standard_True, 1e-9);
+    closed.Perform();
+    maker.AddWire(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(closed.Curve()).Edge()));
+  }
+  const TopoDS_Shape shape = maker.Shape();
+  FilletOptions options;
+  options.chamfer = ChamferSize{1};
+  const std::vector<int> top =
+      edges_where(shape, [](const Vec3& at) { return std::abs(at[2] - 18) < 1e-9; });
+  ASSERT_FALSE(top.empty());
+
+  const FilletResult made = fillet(shape, top, options);
+
+  expect_sound(made);
+  ASSERT_EQ(made.solids.size(), 1U);
+  for (const EdgeSoundness& edge : soundness(made.solids.front().solid).edges)
+    for (const Problem& problem : edge.problems) ADD_FAILURE() << edge.number << problem.text();
+  for (const FilletFace& face : made.solids.front().faces) {
+    const auto strip = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face.face));
+    if (face.edge > 0 && !strip.IsNull()) {
+      EXPECT_LT(strip->NbUKnots(), 200);
+    }
+  }
 }
 
 TEST(ChamferRefuses, BadSizes) {
