@@ -2,9 +2,11 @@
 // Models from STEP, IGES and BREP files.
 
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include <TopoDS_Iterator.hxx>
+#include <TopoDS_TShape.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exchange/detail.h"
@@ -16,6 +18,8 @@
 
 namespace blossom::occt {
 namespace {
+
+constexpr int kDeepestShape = 1000;  // compounds in each other, of which real models have some tens
 
 /// False for compounds of nothing but compounds.
 bool holds_shapes(const TopoDS_Shape& shape) {
@@ -30,6 +34,21 @@ bool is_empty(const TopoDS_Shape& shape) {
          (shape.ShapeType() != TopAbs_VERTEX && !TopoDS_Iterator(shape).More());
 }
 
+/// Open CASCADE takes time by the square of the depth, and a thread's stack has an end.
+///
+/// seen   the deepest level at which a shape was looked into
+void require_shallow(const TopoDS_Shape& shape, int level,
+                     std::unordered_map<const TopoDS_TShape*, int>& seen) {
+  if (shape.IsNull() || shape.ShapeType() > TopAbs_SOLID) return;
+  if (level > kDeepestShape)
+    throw BadModel("shapes in it are nested more than " + std::to_string(kDeepestShape) + " deep");
+  int& deepest = seen[shape.TShape().get()];
+  if (deepest >= level) return;
+  deepest = level;
+  for (TopoDS_Iterator it(shape, false, false); it.More(); it.Next())
+    require_shallow(it.Value(), level + 1, seen);
+}
+
 void require_shape(const TopoDS_Shape& shape, const ReadingReport& report) {
   if (is_empty(shape)) refuse("holds no shape", report);
 }
@@ -41,6 +60,8 @@ void read_step_file(Reading& reading) {
 }
 
 void leave_out_bad_numbers(Format format, Reading& reading) {
+  std::unordered_map<const TopoDS_TShape*, int> seen;
+  for (const PlainPart& part : reading.contents.parts) require_shallow(part.shape, 1, seen);
   const NumberSource source(format == Format::Brep ? &reading.text : nullptr);
   if (reading.contents.document)
     reading.contents.document->leave_out_bad_faces(source, reading.report);
