@@ -35,7 +35,15 @@ void check_tolerance(double tolerance) {
     throw BadModel("its tolerance is " + std::to_string(tolerance));
 }
 
+/// Open CASCADE moves nothing to a place that scales; mirrors it uses.
+void check_place(const TopoDS_Shape& shape) {
+  constexpr double kRounding = 1e-9;  // of the numbers of a file
+  const double scale = std::abs(shape.Location().Transformation().ScaleFactor());
+  if (!(std::abs(scale - 1) <= kRounding)) throw BadModel("its place scales it");
+}
+
 void check_face(const TopoDS_Face& face, const NumberSource& source) {
+  check_place(face);
   TopLoc_Location location;
   const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
   if (surface.IsNull()) {
@@ -94,6 +102,7 @@ void check_representation(const BRep_CurveRepresentation& curve, const NumberSou
 }
 
 void check_edge(const TopoDS_Edge& edge, const NumberSource& source) {
+  check_place(edge);
   check_tolerance(BRep_Tool::Tolerance(edge));
   const bool has_curve = !BRep_Tool::Degenerated(edge);
   if (const auto* shape = dynamic_cast<const BRep_TEdge*>(edge.TShape().get()))
@@ -111,6 +120,7 @@ void check_edge(const TopoDS_Edge& edge, const NumberSource& source) {
 }
 
 void check_vertex(const TopoDS_Vertex& vertex) {
+  check_place(vertex);
   check_finite(BRep_Tool::Pnt(vertex).XYZ(), "its point");
   check_tolerance(BRep_Tool::Tolerance(vertex));
 }

@@ -30,7 +30,8 @@ TopoDS_Shape FacesToCheck::copy_of(const TopoDS_Shape& shape) {
     copy.Closed(bare.Closed());
     copies_.Bind(bare, copy);
   }
-  return copies_(bare).Located(shape.Location()).Oriented(shape.Orientation());
+  // Also at a place that mirrors, which Open CASCADE uses, but wants to make no more.
+  return copies_(bare).Located(shape.Location(), false).Oriented(shape.Orientation());
 }
 
 void FacesToCheck::keep_chart_curves(const TopoDS_Face& face) {

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What no model has: compounds in compounds as deep as only hostile files are, and places that
+// scale.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Trsf.hxx>
+#include <gp_Vec.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/shapes.h"
+#include "adapters/occt/soundness.h"
+#include "tests/adapters/occt/exchange/shapes_files.h"
+
+namespace blossom::occt {
+namespace {
+
+using testing::Folder;
+
+TopoDS_Shape nested(TopoDS_Shape shape, int levels) {
+  for (int i = 0; i < levels; ++i) {
+    TopoDS_Compound around;
+    BRep_Builder builder;
+    builder.MakeCompound(around);
+    builder.Add(around, shape);
+    shape = around;
+  }
+  return shape;
+}
+
+TEST(NestedShapes, AreReadUpToAThousandLevels) {
+  const Folder folder;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+  BRepTools::Write(nested(box, 999), (folder / "deep.brep").c_str());
+  EXPECT_EQ(read_model(folder / "deep.brep").face_count(), 6);
+  BRepTools::Write(nested(box, 1000), (folder / "deeper.brep").c_str());
+  try {
+    read_model(folder / "deeper.brep");
+    FAIL() << "is not refused";
+  } catch (const BadModel& error) {
+    EXPECT_TRUE(std::string(error.what()).ends_with("nested more than 1000 deep")) << error.what();
+  }
+}
+
+// A box, and another one at a place whose first row is this instead of "1 0 0 5".
+Model with_place(const std::string& row) {
+  const Folder folder;
+  gp_Trsf move;
+  move.SetTranslation(gp_Vec(5, 0, 0));
+  TopoDS_Compound both;
+  BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(1, 2, 3).Shape());
+  builder.Add(both, BRepPrimAPI_MakeBox(1, 2, 3).Shape().Moved(move));
+  BRepTools::Write(both, (folder / "placed.brep").c_str());
+  std::string text = testing::content(folder / "placed.brep");
+  const std::size_t start = text.find("Locations 1\n1\n") + 14;
+  text.replace(start, text.find('\n', start) - start, row);
+  testing::write_content(folder / "placed.brep", text);
+  return read_model(folder / "placed.brep");
+}
+
+TEST(OddPlaces, FacesThatArePlacedWithAScaleAreLeftOut) {
+  const Model model = with_place("3 0 0 5");
+  EXPECT_EQ(model.face_count(), 6);
+  ASSERT_EQ(model.reading().losses.size(), 1U);
+  EXPECT_EQ(model.reading().losses[0].cause, "its place scales it");
+  EXPECT_EQ(model.reading().losses[0].count, 6);
+}
+
+TEST(OddPlaces, MirroredFacesAreReadAndChecked) {
+  const Model model = with_place("-1 0 0 5");
+  ASSERT_EQ(model.face_count(), 12);
+  for (int number = 1; number <= 12; ++number) EXPECT_NO_THROW(face_fault(model.face(number)));
+}
+
+}  // namespace
+}  // namespace blossom::occt
