@@ -12,7 +12,7 @@ namespace blossom {
 inline constexpr const char* kModuleEntry = "blossom_module";
 
 /// interface  BLOSSOM_INTERFACE of who asks, which stands for the headers it was built with
-/// returns    the StepModule or DocumentModule; null for another interface
+/// returns    the StepModule, DocumentModule or ThreeMfModule; null for another interface
 using ModuleEntry = const void*(const char* interface);
 
 /// What an entry answers.

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The program's own step_module and document_module: they load what the libraries of Open CASCADE's
-// exchange are linked to, when it is first asked for.
+// The program's own step_module, document_module and three_mf_bytes: they load what the libraries
+// of Open CASCADE's exchange and of 3MF are linked to, when it is first asked for.
 
 #include <dlfcn.h>
 
 #include <array>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exchange/modules.h"
 #include "plugin/modules/entry.h"
+#ifdef BLOSSOM_WITH_LIB3MF
+#include "plugin/modules/three_mf.h"
+#endif
 
 namespace blossom {
 namespace {
@@ -65,4 +70,14 @@ const DocumentModule& document_module() {
 }
 
 }  // namespace occt
+
+#ifdef BLOSSOM_WITH_LIB3MF
+std::string lib3mf::three_mf_bytes(const std::string& name, std::span<const Vec3> points,
+                                   std::span<const std::array<int, 3>> triangles,
+                                   const std::vector<ThreeMfPart>& parts) {
+  static const void* const module = load("blossom_three_mf.so", "3MF files");
+  return static_cast<const ThreeMfModule*>(module)->bytes(name, points, triangles, parts);
+}
+#endif
+
 }  // namespace blossom

@@ -52,7 +52,8 @@ class TheProgram : public ::testing::Test {
 TEST_F(TheProgram, LoadsNoLibraryOfFileFormatsAtItsStart) {
   const std::string libraries = libraries_of(BLOSSOM_PROGRAM);
   EXPECT_NE(libraries.find("libTKBRep"), std::string::npos);
-  for (const char* name : {"libTKSTEP", "libTKIGES", "libTKXCAF", "libTKService", "libX11"})
+  for (const char* name :
+       {"libTKSTEP", "libTKIGES", "libTKXCAF", "libTKService", "libX11", "lib3MF", "libcrypto"})
     EXPECT_EQ(libraries.find(name), std::string::npos) << name;
 }
 
@@ -79,6 +80,11 @@ TEST_F(TheProgram, SaysWhichModuleIsMissing) {
   EXPECT_NE(written.find("blossom_documents.so"), std::string::npos) << written;
   EXPECT_NE(written.find("code 1"), std::string::npos) << written;
   EXPECT_FALSE(fs::exists(folder_ / "out.step"));
+  if (!fs::exists(modules() / "blossom_three_mf.so")) return;
+  const std::string triangles =
+      alone("convert " + model("brep").string() + " -o " + (folder_ / "out.3mf").string());
+  EXPECT_NE(triangles.find("blossom_three_mf.so"), std::string::npos) << triangles;
+  EXPECT_NE(triangles.find("code 1"), std::string::npos) << triangles;
 }
 
 TEST_F(TheProgram, RefusesAModuleOfAnotherBuild) {

@@ -102,10 +102,10 @@ TEST_P(SignalsAtRandomMoments, LeaveWholeFilesAlone) {
   occt::write_model(tool, folder / "tool.step");
   std::vector<std::string> arguments = GetParam();
   for (std::string& word : arguments)
-    if (word.find('.') != std::string::npos && word.front() != '0') word = folder / word;
+    if (word.ends_with(".step") || word.ends_with(".json")) word = folder / word;
 
   const auto start = Clock::now();
-  ASSERT_LT(Running(arguments).finish(), 128);
+  ASSERT_LT(Running(arguments).finish(), 4);
   const double whole = seconds_since(start);
   const std::string old = "the file that was there before\n";
   const unsigned seed = from_environment("BLOSSOM_SEED", std::random_device{}());
@@ -153,6 +153,13 @@ INSTANTIATE_TEST_SUITE_P(
                                  "out.step", "--json", "report.json"},
         std::vector<std::string>{"trim", "part.step", "tool.step", "--solid", "cut", "-o",
                                  "out.step", "--json", "report.json"},
+        std::vector<std::string>{"trim", "part.step", "--plane", "0,0,4,0,0.1,1", "--solid",
+                                 "split", "-o", "out.step", "--json", "report.json"},
+        std::vector<std::string>{"blend", "fillet", "part.step", "--edges", "convex", "--radius",
+                                 "0.2", "-o", "out.step", "--json", "report.json"},
+        std::vector<std::string>{"clash", "part.step", "tool.step", "--json", "report.json"},
+        std::vector<std::string>{"query", "ray", "part.step", "--from", "25,25,50", "--direction",
+                                 "0,0,-1", "--json", "report.json"},
         std::vector<std::string>{"query", "distance", "part.step", "tool.step", "--json",
                                  "report.json"},
         std::vector<std::string>{"query", "plane", "part.step", "--point", "0,0,4", "--normal",
