@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kAimedPart = 0.85;  // of the deviation: the rest is for what bounds leave open
 constexpr double kFinePart = 0.04;   // of the deviation, for the finer polyline
+constexpr double kShortest = 1e-3;   // of the deviation: segments, but where an edge is no longer
 constexpr int kDeepest = 14;         // halvings of a span
 constexpr double kKink = 0.02;       // radians between spans: a corner, which gets a point
 constexpr double kRounding = 1e-6;   // of a segment: no more of them for that
@@ -81,6 +82,7 @@ void EdgePolyline::flatten(const CurveSpan& span, bool first) {
     double density = std::sqrt(k / (8 * kAimedPart * options_.deviation));
     if (options_.angle > 0) density = std::max(density, k / options_.angle);
     if (options_.edge_length > 0) density = std::max(density, 1 / options_.edge_length);
+    density = std::min(density, 1 / (kShortest * options_.deviation));
     sigma_.push_back(sigma_.back() + density * ds);
     fine_parameters_.push_back(parameter_at(span.law, span.place, part.to));
     fine_points_.push_back(end);
@@ -108,6 +110,21 @@ void EdgePolyline::breaks_between(std::size_t from, std::size_t to, int least) {
   }
 }
 
+// Where an edge turns within less than the shortest segment it is a curl, as rounding makes them at
+// the ends of curves, and no corner.
+void EdgePolyline::drop_close_kinks() {
+  std::vector<double> length{0};  // up to each point
+  for (std::size_t k = 1; k < fine_points_.size(); ++k)
+    length.push_back(length.back() + norm(fine_points_[k] - fine_points_[k - 1]));
+  const double least = kShortest * options_.deviation;
+  std::vector<std::size_t> kept{kinks_.front()};
+  for (const std::size_t k : kinks_)
+    if (length[k] - length[kept.back()] >= least && length.back() - length[k] >= least)
+      kept.push_back(k);
+  kept.push_back(kinks_.back());
+  kinks_ = std::move(kept);
+}
+
 void EdgePolyline::spread(bool closed) {
   for (std::size_t k = 0; k + 1 < curve_.spans.size(); ++k) {
     const Vec3 before = jet_at(curve_.spans[k].curve, 1).first;
@@ -118,6 +135,7 @@ void EdgePolyline::spread(bool closed) {
     kinks_.push_back(static_cast<std::size_t>(found - fine_parameters_.begin()));
   }
   std::ranges::sort(kinks_);
+  drop_close_kinks();
   const std::size_t parts = kinks_.size() - 1;
   const int least =
       closed ? (kLeastClosed + static_cast<int>(parts) - 1) / static_cast<int>(parts) : 1;

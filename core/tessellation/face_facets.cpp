@@ -27,6 +27,7 @@ constexpr double kNearSide = 0.4;
 constexpr double kSagitta = 2.5;
 // Of the deviation: borders are not made shorter than this to undo folds.
 constexpr double kShortFold = 0.5;
+constexpr double kLeastAllowed = 0.5;  // of the deviation, for what facets themselves are off
 // In facets: so long may borders be, where these have an aspect. Halves are not too short then.
 constexpr double kLongBorder = 1.5;
 // Of the distance of a facet: sides that are farther than this are worth dividing.
@@ -48,7 +49,7 @@ class FacetBuilder {
     const bool last = round == kLastRound;
     if (polygon_.sides.empty()) return refused("its borders have no length");
     if (!last) {
-      std::vector<EdgeSegment> far = polygon_.too_far(surface_, options_.deviation);
+      std::vector<EdgeSegment> far = polygon_.too_far(surface_, allowed(0));
       if (!far.empty()) return {std::move(far), {}};
       std::vector<EdgeSegment> longer = long_sides();
       if (!longer.empty()) return {std::move(longer), {}};
@@ -250,6 +251,19 @@ class FacetBuilder {
     return true;
   }
 
+  // What is left of the deviation by the distance of the corners and the error of the surface;
+  // where the model leaves little, half of it, since finer facets would not be nearer.
+  double allowed(double moved) const {
+    return std::max(options_.deviation - moved - surface_.error(),
+                    kLeastAllowed * options_.deviation);
+  }
+
+  double moved_of(const std::array<int, 3>& corners) const {
+    double most = 0;
+    for (const int corner : corners) most = std::max(most, moved_[index(corner)]);
+    return most;
+  }
+
   // The middle of the side inside of the face that is farthest from the surface; or of the facet,
   // if only its borders are far.
   Vec2 dividing_point(const Face& face, double distance) const {
@@ -276,7 +290,8 @@ class FacetBuilder {
       const int number = open.back();
       open.pop_back();
       const double far = distance_of(face.corner);
-      if (far <= options_.deviation || is_small(face.corner) || is_flat(face.corner)) continue;
+      if (far <= allowed(moved_of(face.corner)) || is_small(face.corner) || is_flat(face.corner))
+        continue;
       const Vec2 uv = dividing_point(face, far);
       // Rounding may put it a little beside the face.
       const int found = mesh.locate(scaled(uv));
@@ -347,9 +362,7 @@ class FacetBuilder {
     std::vector<int> places(corners_.size(), -1);
     for (const Face& face : mesh.faces()) {
       if (!face.inside || is_flat(face.corner)) continue;
-      double moved = 0;
-      for (const int corner : face.corner) moved = std::max(moved, moved_[index(corner)]);
-      result.distance = std::max(result.distance, distance_of(face.corner) + moved);
+      result.distance = std::max(result.distance, distance_of(face.corner) + moved_of(face.corner));
       result.folded += is_folded(face.corner);
       std::array<int, 3> triangle{};
       for (std::size_t k = 0; k < 3; ++k) {

@@ -2,12 +2,15 @@
 #include "core/tessellation/spline_chart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/forms/evaluation.h"
 #include "core/math/index.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/tessellation/cell_jets.h"
+#include "core/tessellation/joined_jet.h"
+#include "core/tessellation/thin_spans.h"
 
 namespace blossom {
 namespace {
@@ -18,10 +21,16 @@ constexpr double kMuchTurn = 0.3;       // likewise of first ones
 constexpr int kMostPatches = 6;         // of which the parts under a facet are asked
 constexpr double kLeastPart = 0x1p-30;  // of a span: facets are not narrower
 constexpr double kNoBend = 0.2;         // of the wanted distance: it need not be known better
+constexpr double kThin = 0.01;          // of the wanted distance: spans that move no more are none
 
 int span_of(const std::vector<double>& ends, double parameter) {
   const auto above = std::upper_bound(ends.begin() + 1, ends.end() - 1, parameter);
   return static_cast<int>(above - ends.begin()) - 1;
+}
+
+// Of a range in the cell k.
+double width_in(const std::vector<double>& ends, int k, double low, double high) {
+  return std::min(high, ends[index(k + 1)]) - std::max(low, ends[index(k)]);
 }
 
 std::vector<double> even_cuts(int parts) {
@@ -59,14 +68,20 @@ CurvatureSample curvature_of(const PatchJet& jet, double u, double v) {
 
 SplineChart::SplineChart(const BezierSurface& surface, double fine) : surface_(surface) {
   validate(surface, "to be meshed");
+  drop_thin_spans(surface_, kThin * fine);
   choose_cells(fine);
   enclose();
   find_jumps();
 }
 
+Vec2 SplineChart::clamped(const Vec2& uv) const {
+  return {std::clamp(uv[0], surface_.u_knots.front(), surface_.u_knots.back()),
+          std::clamp(uv[1], surface_.v_knots.front(), surface_.v_knots.back())};
+}
+
 PointNormal SplineChart::frame_at(const Vec2& uv) const {
-  const double u = std::clamp(uv[0], surface_.u_knots.front(), surface_.u_knots.back());
-  const double v = std::clamp(uv[1], surface_.v_knots.front(), surface_.v_knots.back());
+  const Vec2 at = clamped(uv);
+  const double u = at[0], v = at[1];
   const int i = span_of(surface_.u_knots, u), j = span_of(surface_.v_knots, v);
   const Interval span_u{surface_.u_knots[index(i)], surface_.u_knots[index(i + 1)]};
   const Interval span_v{surface_.v_knots[index(j)], surface_.v_knots[index(j + 1)]};
@@ -165,11 +180,12 @@ JetEnclosure SplineChart::jet_of_cells(const Vec2& low, const Vec2& high) const 
   const int i0 = span_of(u_, low[0]), j0 = span_of(v_, low[1]);
   const int i1 = std::max(i0, span_of(u_, std::nextafter(high[0], low[0])));
   const int j1 = std::max(j0, span_of(v_, std::nextafter(high[1], low[1])));
-  JetEnclosure jet = jets_(i0, j0);
-  for (int i = i0; i <= i1; ++i)
-    for (int j = j0; j <= j1; ++j)
-      if (i > i0 || j > j0) jet = united(jet, jets_(i, j));
-  return jet;
+  if (i0 == i1 && j0 == j1) return jets_(i0, j0);
+  return joined_jet(
+      i1 - i0 + 1, j1 - j0 + 1,
+      [&](int i, int j) -> const JetEnclosure& { return jets_(i0 + i, j0 + j); },
+      [&](int i) { return width_in(u_, i0 + i, low[0], high[0]); },
+      [&](int j) { return width_in(v_, j0 + j, low[1], high[1]); });
 }
 
 std::optional<JetEnclosure> SplineChart::jet_of_parts(const Vec2& low, const Vec2& high) const {
@@ -187,16 +203,20 @@ std::optional<JetEnclosure> SplineChart::jet_of_parts(const Vec2& low, const Vec
     to = std::clamp(to, from + least, span.to);
     return CellSide{span, law, {local_parameter(law, span, from), local_parameter(law, span, to)}};
   };
-  std::optional<JetEnclosure> jet;
+  const int columns = j1 - j0 + 1;
+  std::array<JetEnclosure, kMostPatches> jets;
   for (int i = i0; i <= i1; ++i)
     for (int j = j0; j <= j1; ++j) {
       const CellSide side_u = part_of(u, surface_.u_law, i, low[0], high[0]);
       const CellSide side_v = part_of(v, surface_.v_law, j, low[1], high[1]);
       const RationalBezierPatch net = sub_patch(surface_.patches(i, j), side_u.part, side_v.part);
-      const JetEnclosure here = cell_jet(net, side_u, side_v).jet;
-      jet = jet ? united(*jet, here) : here;
+      jets[index((i - i0) * columns + j - j0)] = cell_jet(net, side_u, side_v).jet;
     }
-  return jet;
+  return joined_jet(
+      i1 - i0 + 1, columns,
+      [&](int i, int j) -> const JetEnclosure& { return jets[index(i * columns + j)]; },
+      [&](int i) { return width_in(u, i0 + i, low[0], high[0]); },
+      [&](int j) { return width_in(v, j0 + j, low[1], high[1]); });
 }
 
 void SplineChart::add_jumps(const Vec2& low, const Vec2& high, JetEnclosure& jet) const {
@@ -210,8 +230,9 @@ void SplineChart::add_jumps(const Vec2& low, const Vec2& high, JetEnclosure& jet
   add(surface_.v_knots, jumps_v_, low[1], high[1], jet.jump_v);
 }
 
-double SplineChart::facet_distance(const std::array<Vec2, 3>& corners, const Vec3& normal,
+double SplineChart::facet_distance(std::array<Vec2, 3> corners, const Vec3& normal,
                                    double wanted) const {
+  for (Vec2& corner : corners) corner = clamped(corner);
   Vec2 low = corners[0], high = low;
   for (const Vec2& corner : corners)
     for (int k = 0; k < 2; ++k) {

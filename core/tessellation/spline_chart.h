@@ -24,12 +24,11 @@ class SplineChart {
   /// At the surface's own parameters, clamped to its range.
   PointNormal frame_at(const Vec2& uv) const;
 
-  /// See jet_enclosure.h. corners are in the surface's range but for rounding.
+  /// See jet_enclosure.h. Corners out of the surface's range count as in it.
   ///
   /// wanted   where derivatives in whole cells do not prove this, those over the facet's own
   ///          rectangle are asked
-  double facet_distance(const std::array<Vec2, 3>& corners, const Vec3& normal,
-                        double wanted) const;
+  double facet_distance(std::array<Vec2, 3> corners, const Vec3& normal, double wanted) const;
 
   /// Ends of the cells.
   const std::vector<double>& u_cells() const { return u_; }
@@ -40,6 +39,7 @@ class SplineChart {
   double error() const { return surface_.error; }
 
  private:
+  Vec2 clamped(const Vec2& uv) const;
   JetEnclosure jet_of_cells(const Vec2& low, const Vec2& high) const;
   std::optional<JetEnclosure> jet_of_parts(const Vec2& low, const Vec2& high) const;
   void add_jumps(const Vec2& low, const Vec2& high, JetEnclosure& jet) const;

@@ -5,10 +5,11 @@
 //
 // A row for each model: Open CASCADE's mesh at a deflection of P of the diagonal, and ours at the
 // deviation at which the measured distance is about the same: triangles, measured and proven
-// distance over the deflection, processor seconds, whether it is closed, and pairs of triangles
-// that cross, by CGAL. Distances are measured both ways at N samples (meshes_measure.h). The last
-// columns have ours at the deflection itself. --ours has these alone. --faces lists faces of many
-// triangles and of large distances.
+// distance over the deflection, processor seconds, megabytes, whether each solid is closed, and
+// pairs of its triangles that cross, by CGAL. Distances are measured both ways at N samples
+// (meshes_measure.h). The last columns have ours at the deflection itself. --ours has these alone,
+// and counts in the end what holds of how many models. --faces lists faces of many triangles and of
+// large distances.
 
 #include <algorithm>
 #include <cstdio>
@@ -22,9 +23,9 @@
 #include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
 
-#include "adapters/cgal/gpl/mesh_check.h"
 #include "core/base/parallel.h"
 #include "tests/bench/command_line.h"
+#include "tests/bench/meshes_judged.h"
 #include "tests/bench/meshes_measure.h"
 #include "tests/support/models.h"
 
@@ -48,23 +49,31 @@ double diagonal_of(const TopoDS_Shape& shape) {
   return std::sqrt(box.SquareExtent());
 }
 
-std::string told(const FacetMesh& mesh, double measured, double deflection,
-                 const Settings& settings) {
+std::string told(const FacetMesh& mesh, double measured, double deflection, double memory,
+                 const std::optional<MeshVerdict>& verdict) {
   std::array<char, 200> text{};
-  const cgal::MeshCheck check =
-      settings.crossings ? cgal::check_mesh(mesh.points, mesh.triangles) : cgal::MeshCheck{};
-  std::snprintf(text.data(), text.size(), "%zu | %.2f | %.2f | %.3f | %s, %d",
+  std::snprintf(text.data(), text.size(), "%zu | %.2f | %.2f | %.3f | %.0f | %s, %d",
                 mesh.triangles.size(), measured / deflection, mesh.proven / deflection,
-                mesh.seconds,
-                !settings.crossings ? "?"
-                : check.closed      ? "closed"
-                : check.manifold    ? "open"
+                mesh.seconds, memory,
+                !verdict            ? "?"
+                : verdict->closed   ? "closed"
+                : verdict->manifold ? "open"
                                     : "no manifold",
-                check.self_intersections);
+                verdict ? verdict->crossings : 0);
   std::string all = text.data();
   if (mesh.refused > 0) all += ", " + std::to_string(mesh.refused) + " refused";
   if (mesh.folded > 0) all += ", " + std::to_string(mesh.folded) + " folded";
   return all;
+}
+
+std::optional<MeshVerdict> verdict_of(const TopoDS_Shape& shape, const FacetMesh& mesh,
+                                      const Settings& settings) {
+  if (!settings.crossings) return {};
+  return judged_mesh(shape, mesh);
+}
+
+double our_memory(const TopoDS_Shape& shape, const FacetOptions& options) {
+  return peak_megabytes([&] { our_mesh(shape, options); });
 }
 
 // The faces with the most triangles, and those with the largest distances.
@@ -99,27 +108,47 @@ void run(const std::string& file, const Settings& settings) {
     equal = our_mesh(shape, options);
     of_equal = measured_distance(shape, equal, settings.samples);
   }
-  std::printf("| %s | %s | %s | %.2f | %s |\n", std::filesystem::path(file).stem().c_str(),
-              told(theirs, measured, deflection, settings).c_str(),
-              told(equal, of_equal, deflection, settings).c_str(),
-              static_cast<double>(equal.triangles.size()) /
-                  static_cast<double>(std::max<std::size_t>(1, theirs.triangles.size())),
-              told(same, of_same, deflection, settings).c_str());
+  const auto ours = [&](const FacetMesh& mesh, double of_mesh, double deviation) {
+    const double memory = our_memory(shape, {.deviation = deviation, .angle = settings.angle});
+    return told(mesh, of_mesh, deflection, memory, verdict_of(shape, mesh, settings));
+  };
+  const double memory = peak_megabytes([&] { occt_mesh(shape, deflection, settings.angle); });
+  std::printf(
+      "| %s | %s | %s | %.2f | %s |\n", std::filesystem::path(file).stem().c_str(),
+      told(theirs, measured, deflection, memory, verdict_of(shape, theirs, settings)).c_str(),
+      ours(equal, of_equal, options.deviation).c_str(),
+      static_cast<double>(equal.triangles.size()) /
+          static_cast<double>(std::max<std::size_t>(1, theirs.triangles.size())),
+      ours(same, of_same, deflection).c_str());
   if (settings.faces) print_faces(same);
   std::fflush(stdout);
 }
 
+struct Counts {
+  int models = 0, closed = 0, without_crossings = 0, never_above = 0, near = 0;
+};
+
+constexpr double kNear = 3;  // proven over measured
+// Distances below this, in model units, are rounding.
+constexpr double kRoundedGap = 1e-9;
+
 // Ours alone, at the deflection.
-void run_ours(const std::string& file, const Settings& settings) {
+void run_ours(const std::string& file, const Settings& settings, Counts& counts) {
   const occt::Model model = testing::repaired_model(file);
   const double deflection = settings.part * diagonal_of(model.shape());
-  const FacetMesh mesh =
-      our_mesh(model.shape(), {.deviation = deflection, .angle = settings.angle});
+  const FacetOptions options{.deviation = deflection, .angle = settings.angle};
+  const FacetMesh mesh = our_mesh(model.shape(), options);
   const double measured = measured_distance(model.shape(), mesh, settings.samples);
+  const std::optional<MeshVerdict> verdict = verdict_of(model.shape(), mesh, settings);
   std::printf("| %s | %s | %.2f |\n", std::filesystem::path(file).stem().c_str(),
-              told(mesh, measured, deflection, settings).c_str(),
+              told(mesh, measured, deflection, our_memory(model.shape(), options), verdict).c_str(),
               measured > 0 ? mesh.proven / measured : 1.0);
   std::fflush(stdout);
+  ++counts.models;
+  counts.closed += verdict && verdict->closed;
+  counts.without_crossings += verdict && verdict->manifold && verdict->crossings == 0;
+  counts.never_above += measured <= mesh.proven + kRoundedGap;
+  counts.near += mesh.proven <= kNear * measured + kRoundedGap;
 }
 
 std::optional<Settings> settings_from(int argc, char** argv) {
@@ -149,19 +178,30 @@ std::optional<Settings> settings_from(int argc, char** argv) {
 int run_all(const Settings& settings) {
   if (settings.ours) {
     std::printf(
-        "| model | triangles | measured | proven | s | closed, crossings | proven over measured |\n"
-        "|---|---:|---:|---:|---:|---|---:|\n");
+        "| model | triangles | measured | proven | s | MB | closed, crossings | proven over "
+        "measured |\n"
+        "|---|---:|---:|---:|---:|---:|---|---:|\n");
+    Counts counts;
     with_threads(1, [&] {
-      for (const std::string& file : settings.files) run_ours(file, settings);
+      for (const std::string& file : settings.files) run_ours(file, settings, counts);
     });
+    std::printf(
+        "\n%d models: %d closed, %d without crossings, %d measured within what is proven, %d "
+        "proven "
+        "within %.0f times the measured\n",
+        counts.models, counts.closed, counts.without_crossings, counts.never_above, counts.near,
+        kNear);
     return 0;
   }
   std::printf(
-      "| model | BRepMesh: triangles | measured | proven | s | closed, crossings | ours at the "
+      "| model | BRepMesh: triangles | measured | proven | s | MB | closed, crossings | ours at "
+      "the "
       "same "
-      "measured: triangles | measured | proven | s | closed, crossings | triangles, ours over "
-      "theirs | ours at the same deflection: triangles | measured | proven | s | closed, crossings "
-      "|\n|---|---:|---:|---:|---:|---|---:|---:|---:|---:|---|---:|---:|---:|---:|---:|---|\n");
+      "measured: triangles | measured | proven | s | MB | closed, crossings | triangles, ours over "
+      "theirs | ours at the same deflection: triangles | measured | proven | s | MB | closed, "
+      "crossings "
+      "|\n|---|---:|---:|---:|---:|---:|---|---:|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|-"
+      "--|\n");
   with_threads(1, [&] {
     for (const std::string& file : settings.files) run(file, settings);
   });

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Models as triangles by gmsh, and by Blossom within the distance that gmsh's have.
 
-    gmsh_table.py [--program BLOSSOM] [--per-turn N] FILE...
+    gmsh_table.py [--program BLOSSOM] [--per-turn N] [--parts N] FILE...
 
-gmsh takes no deviation; it gets N sides for a full turn (Mesh.MeshSizeFromCurvature). The distance
-of its mesh from the model is measured by `blossom query distance`, between bounds; ours is asked for
-at the lower one. Each runs in a process of its own, which gives seconds of the processor and the
-peak of memory. It takes Debian's python3-gmsh.
+gmsh takes no deviation. Its adaptive meshes get N sides for a full turn (-clcurv), its uniform ones
+sides of an N-th of the model's diagonal (-clmin, -clmax). The distance of its mesh from the model is
+measured by `blossom query distance`, between bounds; ours is asked for at the lower one, and for the
+same length of sides where they are uniform. Each runs in a process of its own, which gives seconds
+of the processor, reading and writing included, and the peak of memory. It takes Debian's gmsh.
 """
 
 import argparse
@@ -19,19 +20,6 @@ import sys
 import tempfile
 from pathlib import Path
 
-MESH = """
-import sys, gmsh
-gmsh.initialize()
-gmsh.option.setNumber("General.Terminal", 0)
-gmsh.option.setNumber("General.NumThreads", 1)
-gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", float(sys.argv[3]))
-gmsh.option.setString("Geometry.OCCTargetUnit", "MM")
-gmsh.model.occ.importShapes(sys.argv[1])
-gmsh.model.occ.synchronize()
-gmsh.model.mesh.generate(2)
-gmsh.option.setNumber("Mesh.Binary", 1)
-gmsh.write(sys.argv[2])
-"""
 LIMIT = 600  # seconds of a run
 
 
@@ -64,40 +52,56 @@ def triangles_in(stl):
         return int.from_bytes(stream.read(4), "little")
 
 
-def row(file, program, per_turn, folder):
+def diagonal(file, program):
+    """Of the model's box, model units."""
+    code, _, _, text = run([program, "info", str(file), "--json", "-"])
+    if code not in (0, 4):
+        raise SystemExit(f"{file}: not read")
+    box = json.loads(text)["box"]
+    return sum((high - low) ** 2 for low, high in zip(*box)) ** 0.5
+
+
+def row(file, program, name, sizes, own_sizes, folder):
     theirs, ours = folder / "gmsh.stl", folder / "ours.stl"
-    code, seconds, memory, _ = run([sys.executable, "-c", MESH, str(file), str(theirs), str(per_turn)])
+    command = ["gmsh", "-2", "-nt", "1", "-v", "1", "-bin", "-setstring", "Geometry.OCCTargetUnit", "MM"]
+    code, seconds, memory, _ = run(command + sizes + ["-o", str(theirs), str(file)])
+    start = f"| {file.stem}, {name} |"
     if code != 0 or not theirs.exists():
-        return f"| {file.stem} | none: exit code {code} after {seconds:.0f} s |"
+        return f"{start} none: exit code {code} after {seconds:.0f} s |"
+    start += f" {triangles_in(theirs)} |"
     code, _, _, text = run([program, "query", "distance", str(theirs), str(file), "--json", "-"])
     if code not in (0, 3, 4):
-        return f"| {file.stem} | {triangles_in(theirs)}, {seconds:.1f} s | not measured |"
+        return f"{start} not measured: exit code {code} | {seconds:.2f} | {memory:.0f} |"
     found = json.loads(text)
-    deviation = found["lower"]
-    code, own_seconds, own_memory, text = run(
-        [program, "convert", str(file), "-o", str(ours), "--deviation", repr(deviation), "--json", "-"]
-    )
+    lower, upper = found["lower"], found["upper"]
+    start += f" {lower:.2g} to {upper:.2g} | {seconds:.2f} | {memory:.0f} |"
+    command = [program, "convert", str(file), "-o", str(ours), "--deviation", repr(lower), "--json", "-"]
+    code, seconds, memory, text = run(command + own_sizes)
     if code not in (0, 4):
-        return f"| {file.stem} | {triangles_in(theirs)}, {seconds:.1f} s | ours: exit code {code} |"
+        return f"{start} none: exit code {code} |"
     made = json.loads(text)
-    return (
-        f"| {file.stem} | {triangles_in(theirs)} | {found['lower']:.2g} to {found['upper']:.2g} "
-        f"| {seconds:.2f} | {memory:.0f} | {made['triangles']} | {made['distance']:.2g} "
-        f"| {own_seconds:.2f} | {own_memory:.0f} | {made['triangles'] / triangles_in(theirs):.2f} |"
-    )
+    share = made["triangles"] / triangles_in(theirs)
+    return f"{start} {made['triangles']} | {made['distance']:.2g} | {seconds:.2f} | {memory:.0f} | {share:.2f} |"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", default="build/release/plugin/cli/blossom")
     parser.add_argument("--per-turn", type=float, default=24)
+    parser.add_argument("--parts", type=float, default=60)
     parser.add_argument("files", nargs="+", type=Path)
     options = parser.parse_args()
     print("| model | gmsh: triangles | measured | s | MB | ours: triangles | proven | s | MB | of theirs |")
     print("|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|")
     for file in options.files:
-        with tempfile.TemporaryDirectory() as folder:
-            print(row(file, options.program, options.per_turn, Path(folder)), flush=True)
+        length = repr(diagonal(file, options.program) / options.parts)
+        kinds = {
+            "adaptive": (["-clcurv", str(options.per_turn)], []),
+            "uniform": (["-clmin", length, "-clmax", length], ["--edge-length", length]),
+        }
+        for name, (sizes, own_sizes) in kinds.items():
+            with tempfile.TemporaryDirectory() as folder:
+                print(row(file, options.program, name, sizes, own_sizes, Path(folder)), flush=True)
 
 
 if __name__ == "__main__":

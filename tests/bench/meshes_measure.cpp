@@ -12,6 +12,7 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -64,6 +65,16 @@ double surface_distance(const BRepAdaptor_Surface& surface, const Vec3& p, Vec2 
     uv -= move;
   }
   return best;
+}
+
+// Newton's method may end beside the nearest point, at poles above all; what is too far is asked
+// again from all starts that Open CASCADE takes.
+double checked_distance(const BRepAdaptor_Surface& surface, const TopoDS_Face& face, const Vec3& p,
+                        const Vec2& uv, double suspect) {
+  const double found = surface_distance(surface, p, uv);
+  if (found <= suspect) return found;
+  const GeomAPI_ProjectPointOnSurf feet(gp_Pnt(p[0], p[1], p[2]), BRep_Tool::Surface(face));
+  return feet.NbPoints() > 0 ? std::min(found, feet.LowerDistance()) : found;
 }
 
 double triangle_gap(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -138,6 +149,7 @@ double measured_distance(const TopoDS_Shape& shape, const FacetMesh& mesh, int s
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0, 1);
   const int each = std::max(1, samples / std::max(1, static_cast<int>(mesh.triangles.size())));
+  const double suspect = mesh.proven > 0 ? mesh.proven : std::numeric_limits<double>::infinity();
   double most = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int k = 0; k < each; ++k) {
@@ -152,7 +164,8 @@ double measured_distance(const TopoDS_Shape& shape, const FacetMesh& mesh, int s
       const Vec3 p = mixed(mesh.points[index(i)], mesh.points[index(j)], mesh.points[index(l)]);
       const Vec2 uv = mixed(mesh.uv[t][0], mesh.uv[t][1], mesh.uv[t][2]);
       const BRepAdaptor_Surface& surface = surfaces[index(mesh.face[t])];
-      most = std::max(most, surface_distance(surface, p, uv));
+      most = std::max(
+          most, checked_distance(surface, TopoDS::Face(faces(mesh.face[t] + 1)), p, uv, suspect));
       const Vec3 q = occt::vec(surface.Value(uv[0], uv[1]).XYZ());
       double near = std::numeric_limits<double>::infinity();
       tree.for_each_near(q, near, [&](int other) {
