@@ -170,6 +170,9 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
       result.notes = std::move(made.notes);
       for (const FilletEdges& chain : chains)
         for (const auto& [edge, concave] : chain) result.edges.push_back(edge);
+      for (const int edge : made.gone_on)
+        if (std::ranges::find(result.edges, edge) == result.edges.end())
+          result.edges.push_back(edge);
       std::ranges::sort(result.edges);
       return result;
     }

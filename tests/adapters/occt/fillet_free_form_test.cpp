@@ -105,7 +105,7 @@ TopoDS_Shape wedge_on_a_plate() {
 
 // Round the sharp end the two strips come near to each other only far beyond it; at the others they
 // come to the upright edge at two heights.
-TEST(FilletRoundATwistedPost, EndsInPlanesWhereStripsDoNotMeet) {
+TEST(FilletRoundATwistedPost, IsSetBackWhereStripsDoNotMeet) {
   const TopoDS_Shape shape = wedge_on_a_plate();
   std::vector<int> foot;
   for (const EdgeFacts& each : edge_facts(shape))
@@ -114,7 +114,7 @@ TEST(FilletRoundATwistedPost, EndsInPlanesWhereStripsDoNotMeet) {
   const FilletResult made = fillet(shape, foot, {.radius = 0.5});
   expect_sound(made);
   ASSERT_FALSE(made.solids.empty());
-  EXPECT_EQ(made.notes.size(), 6U) << "two at each of three corners";
+  EXPECT_TRUE(made.notes.empty()) << made.notes.front();
   EXPECT_GT(made.solids.front().volume, made.volume_before);
 }
 

@@ -153,7 +153,10 @@ PathEdge BlendSheet::mitre_edge(const HalfEdge& a, const HalfEdge& b, const Topo
   return made(*curve, curve->on_face);
 }
 
-// Where two strips that run into each other leave the edge, or the face, between them.
+// Where two strips that run into each other leave the edge, or the face, between them. The wider
+// one comes further along the edge. The contact of the other one ends in it: before the edge where
+// that is of the strips' own kind, else beyond it, over what the wider strip lays bare, and its
+// face grows up to there.
 BlendSheet::MitreSide BlendSheet::mitre_side(const MitreContact& a, const MitreContact& b,
                                              const HalfEdge* between) {
   const RolledStrip &strip = strip_of(a.half).strip, &other = strip_of(b.half).strip;
@@ -175,7 +178,6 @@ BlendSheet::MitreSide BlendSheet::mitre_side(const MitreContact& a, const MitreC
   const auto a_meets = meeting_with(body_, strip, a.side, *a.use, end_t(a.half));
   const auto b_meets = meeting_with(body_, other, b.side, *b.use, end_t(b.half));
   if (!a_meets && !b_meets) refuse_miss(a.half, a.side, *a.use, *between);
-  // The wider one comes further along the edge.
   const auto away = [&](const ContactMeeting& at) {
     return between->at_start ? at.edge_parameter : -at.edge_parameter;
   };
@@ -193,16 +195,14 @@ BlendSheet::MitreSide BlendSheet::mitre_side(const MitreContact& a, const MitreC
   if (!meets || distance(place(), point_of(foot)) > reach) {
     double angle = 0;
     const EdgeKind kind = edge_kind(body_, between->edge, angle);
-    if (kind == (thin.concave ? EdgeKind::Convex : EdgeKind::Concave))
-      refuse(narrow.half, FilletFault::Corner,
-             "its contact and that of edge " + std::to_string(wider.half.edge) + " come to edge " +
-                 std::to_string(between->edge) +
-                 " in two places, beyond which nothing is to go on over");
+    const bool grows = kind == (thin.concave ? EdgeKind::Convex : EdgeKind::Concave);
     const auto through = contact_through(thin, narrow.side, t, strip_of(wider.half).strip,
                                          part_near(wider.half, end_of(wider.half).t));
-    if (!through)
+    const double outwards = is_low_end(narrow.half) ? -1 : 1;
+    if (!through || (grows && (!meets || outwards * (*through - t) <= 0)))
       refuse(narrow.half, FilletFault::Corner,
              "its contact does not come to the strip of edge " + std::to_string(wider.half.edge));
+    if (grows) end_of(narrow.half).over[narrow.side] = between->edge;
     t = *through;
     joined = new_vertex(place());
   }

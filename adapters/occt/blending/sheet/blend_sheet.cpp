@@ -19,6 +19,7 @@
 #include <TopoDS.hxx>
 #include <gp.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/sheet/limits.h"
@@ -178,19 +179,44 @@ void BlendSheet::build() {
   for (PlacedStrip& of : strips_) finish(of);
 }
 
+// Another way to end strips where the first one cannot be gone.
+void BlendSheet::or_else(const std::vector<HalfEdge>& halves, const std::function<void()>& ended,
+                         const std::function<bool(const std::string& why)>& other) {
+  const SheetBorder border = border_;
+  const std::map<int, std::vector<TopoDS_Edge>> added = added_;
+  const std::size_t patches = patches_.size();
+  try {
+    ended();
+  } catch (const FilletRefused& refusal) {
+    border_ = border;
+    added_ = added;
+    patches_.resize(patches);
+    for (const HalfEdge& each : halves) {
+      end_of(each).path.clear();
+      end_of(each).over = {};
+    }
+    if (!other(refusal.why().cause)) throw;
+  }
+}
+
 // Strips that cannot be ended as they should be end in planes across them, if they can do that.
 void BlendSheet::blunt_unless(const std::vector<HalfEdge>& halves,
                               const std::function<void()>& ended) {
-  const SheetBorder border = border_;
-  const std::map<int, std::vector<TopoDS_Edge>> added = added_;
+  or_else(halves, ended, [&](const std::string& why) {
+    return std::ranges::all_of(halves,
+                               [&](const HalfEdge& each) { return blunt(body_.round(each), why); });
+  });
+}
+
+// Whether strips can be set back from a corner: then they are.
+bool BlendSheet::is_set_back(const Ring& ring) {
   try {
-    ended();
+    set_back(ring);
+    return true;
   } catch (const FilletRefused&) {
-    border_ = border;
-    added_ = added;
-    for (const HalfEdge& each : halves) end_of(each).path.clear();
-    for (const HalfEdge& each : halves)
-      if (!blunt(body_.round(each))) throw;
+    return false;
+  } catch (const BadModel&) {
+    return false;  // a side of the hole that no polynomial is near enough to
   }
 }
 
@@ -206,11 +232,12 @@ void BlendSheet::end_at(const HalfEdge& half) {
     const bool turn = filleted[1] + 1 == ring.size() && ring.size() > 2;
     if (turn) std::rotate(ring.begin(), ring.end() - 1, ring.end());
     const std::size_t other = turn ? 1 : filleted[1];
-    return blunt_unless({ring[0].half, ring[other].half}, [&] {
-      if (is_chamfer_ || can_be_mitred(ring, other))
-        mitre(ring, other);
-      else
-        set_back(ring);
+    const std::vector<HalfEdge> halves{ring[0].half, ring[other].half};
+    return blunt_unless(halves, [&] {
+      if (!is_chamfer_ && !can_be_mitred(ring, other)) return set_back(ring);
+      or_else(
+          halves, [&] { mitre(ring, other); },
+          [&](const std::string&) { return !is_chamfer_ && is_set_back(ring); });
     });
   }
   corner(ring);
@@ -350,6 +377,8 @@ void BlendSheet::cut_seams(PlacedStrip& of, std::size_t side) {
     const double speed = contact.curve->DN(each.t, 1).Magnitude();
     const double room = kSamePlace * std::max(tolerance_, each.use->coedge->tolerance) / speed;
     if (each.t <= between.from + room || each.t >= between.to - room) continue;
+    if (each.use->edge == of.ends[0].over[side] || each.use->edge == of.ends[1].over[side])
+      continue;
     if (!is_seam_crossing(each))
       throw FilletRefused({FilletFault::LeavesFace,
                            of.strip.edge,

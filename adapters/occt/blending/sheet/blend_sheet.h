@@ -39,6 +39,7 @@ namespace blossom::occt {
 struct StripEnd {
   std::array<double, 2> t{};
   std::array<TopoDS_Vertex, 2> vertices;
+  std::array<int, 2> over{};   ///< edges that contacts go over here, past which their faces grow
   std::vector<PathEdge> path;  ///< from vertices[0] to vertices[1]
 };
 
@@ -106,14 +107,19 @@ class BlendSheet {
   std::size_t right_side(const HalfEdge& half) const { return is_low_end(half) ? 1 : 0; }
 
   void end_at(const HalfEdge& half);
+  void or_else(const std::vector<HalfEdge>& halves, const std::function<void()>& ended,
+               const std::function<bool(const std::string& why)>& other);
+  bool is_set_back(const Ring& ring);
   void blunt_unless(const std::vector<HalfEdge>& halves, const std::function<void()>& ended);
   void cap(const Ring& ring);
-  bool blunt(const Ring& ring);
+  bool blunt(const Ring& ring, const std::string& why);
   double wall_t(const Ring& ring);
-  void add_wall_border(const EndCurve& down, const TopoDS_Vertex& contact,
-                       const TopoDS_Vertex& corner, bool on_left, int face, BlendPatch& wall);
+  TopoDS_Edge wall_border(const EndCurve& down, const TopoDS_Vertex& contact,
+                          const TopoDS_Vertex& corner, bool on_left, int face);
   std::optional<TopoDS_Vertex> wall_foot(const HalfEdge& half, double t);
   Cut end_cut(const HalfEdge& half, std::size_t side, int& beyond, int& edge);
+  bool turns_back(const Ring& ring, bool on_left);
+  Cut grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge);
   int cross_face(const HalfEdge& half, const Interval& part, int face, int& entered, double& w,
                  TopoDS_Vertex& from);
   bool keeps_after(const HalfEdge& half, int face, int edge, const EdgeThrough& through);

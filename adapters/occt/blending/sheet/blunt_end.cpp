@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <string>
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -111,24 +112,23 @@ std::optional<TopoDS_Vertex> BlendSheet::wall_foot(const HalfEdge& half, double 
   return splits_.vertex(edge, split);
 }
 
-// One of the wall's borders on the faces, from a contact down to the edge; the wall walks down the
-// left one and up the right one.
-void BlendSheet::add_wall_border(const EndCurve& down, const TopoDS_Vertex& contact,
-                                 const TopoDS_Vertex& corner, bool on_left, int face,
-                                 BlendPatch& wall) {
+// One of a wall's borders on the faces, from a contact down to the edge, as the wall uses it, which
+// walks down the left one and up the right one.
+TopoDS_Edge BlendSheet::wall_border(const EndCurve& down, const TopoDS_Vertex& contact,
+                                    const TopoDS_Vertex& corner, bool on_left, int face) {
   const TopoDS_Edge edge = edge_on(down.curve, down.range, down.forward ? contact : corner,
                                    down.forward ? corner : contact);
-  add_chart(edge, down.on_strip, wall.face);
   add_chart(edge, chart_near_face(down.on_face, at(down.range, 0.5), body_.trims(face)),
             body_.face(face));
   const bool forward = down.forward == on_left;
-  wall.edges.push_back(TopoDS::Edge(edge.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED)));
   added_[face].push_back(TopoDS::Edge(edge.Oriented(forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
+  return TopoDS::Edge(edge.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED));
 }
 
-// The wall across the strip at the vertex: between the arc of the ball and both faces. False, and
-// nothing is done, if the contacts have left their faces there, or the plane misses the faces.
-bool BlendSheet::blunt(const Ring& ring) {
+// The wall across the strip at the vertex: between the arc of the ball and both faces; `why` there
+// has to be one is told. False, and nothing is done, if the contacts have left their faces there,
+// or the plane misses the faces.
+bool BlendSheet::blunt(const Ring& ring, const std::string& why) {
   const HalfEdge half = ring.front().half;
   PlacedStrip& of = strip_of(half);
   const RolledStrip& strip = of.strip;
@@ -148,7 +148,7 @@ bool BlendSheet::blunt(const Ring& ring) {
   for (const std::size_t side : {0U, 1U}) {
     const Vec3 contact = vec(strip.contacts[side].curve->Value(t).XYZ());
     down[side] =
-        plane_curve_between(wall.face, body_.face(faces[side]), contact, point_of(corner), reach);
+        wall_curve_between(wall.face, body_.face(faces[side]), contact, point_of(corner), reach);
     if (!down[side]) return false;
     ends[side] = new_vertex(contact);
   }
@@ -168,8 +168,11 @@ bool BlendSheet::blunt(const Ring& ring) {
   const bool strip_forward = is_low_end(half) ? forward : !forward;
   wall.edges.push_back(
       TopoDS::Edge(arc.Oriented(strip_forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
-  for (const std::size_t side : {left, right})
-    add_wall_border(*down[side], ends[side], corner, side == left, faces[side], wall);
+  for (const std::size_t side : {left, right}) {
+    wall.edges.push_back(wall_border(*down[side], ends[side], corner, side == left, faces[side]));
+    add_chart(TopoDS::Edge(wall.edges.back().Oriented(TopAbs_FORWARD)), down[side]->on_strip,
+              wall.face);
+  }
   gp_Pnt centre;
   gp_Vec along;
   strip.spine->D1(t, centre, along);
@@ -180,7 +183,7 @@ bool BlendSheet::blunt(const Ring& ring) {
   const Vec3 place = point_of(corner);
   std::ostringstream note;
   note << "edge " << strip.edge << ": its strip ends in a plane across it at (" << place[0] << ", "
-       << place[1] << ", " << place[2] << "), where the faces at its end do not close it";
+       << place[1] << ", " << place[2] << "), where the faces at its end do not close it: " << why;
   notes_.push_back(note.str());
   return true;
 }

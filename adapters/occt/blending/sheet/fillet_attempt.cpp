@@ -28,17 +28,18 @@ FilletAttempt fillet_attempt(Filleting& work, const std::vector<FilletEdges>& ch
   FilletEdges all;
   for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
   try {
-    FilletAttempt made{guarded(kFilleting, [&] { return work.made(all, radius); }), {}, {}};
+    FilletAttempt made{guarded(kFilleting, [&] { return work.made(all, radius); }), {}, {}, {}};
     made.notes = work.notes();
+    made.gone_on = work.gone_on();
     return made;
   } catch (const FilletRefused& refusal) {
-    return {{}, {}, refusal.why()};
+    return {{}, {}, {}, refusal.why()};
   } catch (const LimitFailure&) {
     throw;
   } catch (const Failure& failure) {
-    return {{}, {}, not_put_together(failure)};
+    return {{}, {}, {}, not_put_together(failure)};
   } catch (const BadModel& error) {
-    return {{}, {}, not_put_together(error)};
+    return {{}, {}, {}, not_put_together(error)};
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace blossom::occt {
 struct FilletAttempt {
   std::vector<FilletedSolid> solids;
   std::vector<std::string> notes;
+  std::set<int> gone_on;  ///< as `Filleting::gone_on`
   std::optional<FilletRefusal> why;
 };
 

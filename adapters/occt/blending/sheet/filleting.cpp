@@ -184,6 +184,15 @@ Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   return grouped;
 }
 
+// Of an edge of a solid with fillets, the number of the one that it is, or is left of; 0 for none.
+int Filleting::number_before(const TopoDS_Edge& edge, const Grouped& done) const {
+  if (const int number = body_.number(edge); number > 0) return number;
+  for (const auto& [number, left] : done.edges)
+    if (std::ranges::any_of(left, [&](const TopoDS_Edge& each) { return each.IsSame(edge); }))
+      return number;
+  return 0;
+}
+
 // The edges of a group in a solid that other fillets were put into, and the numbers that they had.
 Filleting::Renamed Filleting::renamed(const Filleting& next, const Grouped& done,
                                       const FilletEdges& group) const {
@@ -228,6 +237,13 @@ FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group
     throw FilletRefused(why);
   }
   notes_.insert(notes_.end(), next.notes_.begin(), next.notes_.end());
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(done.made.solid, TopAbs_EDGE, edges);
+  std::set<int> numbers = next.gone_on_;
+  for (const auto& [number, concave] : in_next.edges) numbers.insert(number);
+  for (const int number : numbers)
+    if (const int before = number_before(TopoDS::Edge(edges(number)), done))
+      gone_on_.insert(before);
   for (FilletFace& face : made.faces) {
     if (face.from == 0) {
       face.edge = old_number(face.edge);
@@ -256,6 +272,7 @@ std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges, double size
   set_size(size);
   std::vector<FilletedSolid> all;
   notes_.clear();
+  gone_on_.clear();
   for (SolidPart& part : parts_) {
     FilletEdges own;
     for (const auto& [edge, concave] : edges)

@@ -68,6 +68,8 @@ class Filleting {
   bool is_chamfer() const { return options_.chamfer.has_value(); }
   /// Of what was made last.
   const std::vector<std::string>& notes() const { return notes_; }
+  /// Likewise: edges that were not asked for, in which others go on once there are blends between.
+  const std::set<int>& gone_on() const { return gone_on_; }
 
  private:
   void find_parts(const TopoDS_Shape& shape);
@@ -88,6 +90,7 @@ class Filleting {
     FilletEdges edges;      // with those in which they go on
     std::map<int, int> of;  // numbers before, by numbers now
   };
+  int number_before(const TopoDS_Edge& edge, const Grouped& done) const;
   Renamed renamed(const Filleting& next, const Grouped& done, const FilletEdges& group) const;
   FilletedSolid with_next(const Grouped& done, const FilletEdges& group);
   const TopoDS_Face& face_given(int number) const {
@@ -101,6 +104,7 @@ class Filleting {
   std::vector<TopoDS_Face> faces_given_;  // by number
   std::map<int, double> cones_;           // volumes over given faces, as far as they are known
   std::vector<std::string> notes_;
+  std::set<int> gone_on_;
   Vec3 apex_;
 };
 

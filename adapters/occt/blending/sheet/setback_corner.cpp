@@ -23,6 +23,7 @@
 #include <gp.hxx>
 
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/hole_side.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
@@ -159,8 +160,15 @@ double BlendSheet::setback_cut(const Ring& ring, std::size_t sector) {
 BlendSheet::SetbackSide BlendSheet::section_side_of(const HalfEdge& half) {
   const RolledStrip& strip = strip_of(half).strip;
   const StripEnd& end = end_of(half);
-  return {section_side(strip, end.t[0], is_low_end(half), right_side(half), kSidePart * tolerance_),
-          end.vertices[right_side(half)], half};
+  try {
+    return {
+        section_side(strip, end.t[0], is_low_end(half), right_side(half), kSidePart * tolerance_),
+        end.vertices[right_side(half)], half};
+  } catch (const LimitFailure&) {
+    throw;
+  } catch (const Failure& failure) {
+    refuse(half, FilletFault::Corner, std::string(failure.what()) + " where its corner begins");
+  }
 }
 
 // In the face of a sector, from the left of its first edge to the right of the next one.
@@ -189,7 +197,9 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
     const std::size_t side = on_left ? left_side(half) : right_side(half);
     const double t = end_of(half).t[side], outwards = is_low_end(half) ? -1 : 1;
     if (strip.contacts[side].face != face)
-      refuse(half, FilletFault::Corner, "its strip has left the faces of its corner");
+      refuse(half, FilletFault::Corner,
+             "its strip goes over a smooth edge before it comes to its corner: how strips meet "
+             "behind one cannot be built yet");
     gp_Pnt2d place;
     gp_Vec2d rate;
     strip.contacts[side].chart->D1(t, place, rate);

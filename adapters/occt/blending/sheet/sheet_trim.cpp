@@ -194,8 +194,11 @@ class Trimming {
 std::set<int> Trimming::touched_faces() const {
   std::set<int> touched;
   for (const auto& [face, edges] : sheet_.added()) touched.insert(face);
-  for (const auto& [edge, pieces] : kept_)
+  for (const auto& [edge, pieces] : kept_) {
+    // A point has one face alone, which the edges at its vertex belong to as well.
+    if (BRep_Tool::Degenerated(body_.edge(edge))) continue;
     for (const bool forward : {true, false}) touched.insert(body_.use(edge, forward).face);
+  }
   return touched;
 }
 
@@ -226,8 +229,9 @@ void Trimming::add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Fa
     throw FilletRefused(
         {FilletFault::Result,
          edge,
-         from > 0 ? "what is left of face " + std::to_string(from) + " has an open border"
-                  : std::string("its strip has an open border"),
+         from > 0 ? "what is left of face " + std::to_string(from) +
+                        " has an open border: the ends of blends at it do not fit together"
+                  : std::string("its strip has an open border: its ends do not fit together"),
          {},
          {},
          {}});

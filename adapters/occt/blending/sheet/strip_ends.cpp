@@ -2,6 +2,7 @@
 // Strips that end in faces of the body: each contact goes over a border of its face, and the strip
 // crosses the faces behind, one after the other, from the one border to the other.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include <Precision.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
 #include "adapters/occt/blending/sheet/limits.h"
@@ -47,6 +49,57 @@ BlendSheet::Cut BlendSheet::end_cut(const HalfEdge& half, std::size_t side, int&
   edge = best->use->edge;
   beyond = body_.use(edge, !best->use->forward).face;
   return {best->t, cut_edge(*best, body_.face(contact.face))};
+}
+
+// Whether the border of a face turns back at the end of a strip, so that the contact runs on past
+// it inside of the face.
+bool BlendSheet::turns_back(const Ring& ring, bool on_left) {
+  const HalfEdge half = ring.front().half;
+  const VertexSector& sector = on_left ? ring.front() : ring.back();
+  const std::size_t side = on_left ? left_side(half) : right_side(half);
+  if (ring.size() < 3 || strip_of(half).strip.contacts[side].face != sector.face) return false;
+  double first = 0, last = 0;
+  BRep_Tool::Range(body_.edge(half.edge), first, last);
+  const BodyEdges::Corner corner =
+      body_.corner(body_.use(half.edge, side == 0), half.at_start ? first : last);
+  const HalfEdge beside = on_left ? ring[1].half : ring.back().half;
+  return dot(direction_at(body_, beside), corner.inwards) <= std::sin(kSmoothJoint);
+}
+
+// Where a border turns back, the face behind it grows up to the contact and ends the strip there.
+BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge) {
+  const HalfEdge half = ring.front().half;
+  const RolledStrip& strip = strip_of(half).strip;
+  const std::size_t side = on_left ? left_side(half) : right_side(half);
+  const RolledContact& contact = strip.contacts[side];
+  const HalfEdge beside = on_left ? ring[1].half : ring.back().half;
+  beyond = (on_left ? ring[1] : ring[ring.size() - 2]).face;
+  edge = beside.edge;
+  const double inside = strip_of(half).inside;
+  const Interval part =
+      is_low_end(half) ? Interval{strip.range.from, inside} : Interval{inside, strip.range.to};
+  const auto refuse_growing = [&](const std::string& cause) {
+    refuse(half, FilletFault::End,
+           "face " + std::to_string(beyond) + " at its end " + cause + " on face " +
+               std::to_string(contact.face));
+  };
+  const auto t = contact_through(strip, side, end_t(half), body_.face(beyond), part);
+  if (!t || !lies_inside(body_, contact, *t))
+    refuse_growing("would not come, if it went on, to " + contact_words());
+  const TopoDS_Vertex corner = body_.vertex(half);
+  const Vec3 place = vec(contact.curve->Value(*t).XYZ());
+  const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(corner));
+  const auto down = wall_curve_between(body_.face(beyond), body_.face(contact.face), place,
+                                       point_of(corner), reach);
+  if (!down) refuse_growing("cannot go on along a curve up to " + contact_words());
+  const TopoDS_Vertex joined = new_vertex(place);
+  const TopoDS_Edge border = wall_border(*down, joined, corner, on_left, contact.face);
+  add_chart(TopoDS::Edge(border.Oriented(TopAbs_FORWARD)),
+            chart_near_face(down->on_strip, at(down->range, 0.5), body_.trims(beyond)),
+            body_.face(beyond));
+  added_[beyond].push_back(border);
+  border_.vertices.push_back(corner);
+  return {*t, joined};
 }
 
 // Across one of the faces at the end of a strip, from its left to its right.
@@ -127,8 +180,10 @@ void BlendSheet::cap(const Ring& ring) {
   const HalfEdge half = ring.front().half;
   StripEnd& end = end_of(half);
   int face = 0, last = 0, entered = 0, left_at = 0;
-  const Cut left = end_cut(half, left_side(half), face, entered);
-  const Cut right = end_cut(half, right_side(half), last, left_at);
+  const Cut left = turns_back(ring, true) ? grown_cut(ring, true, face, entered)
+                                          : end_cut(half, left_side(half), face, entered);
+  const Cut right = turns_back(ring, false) ? grown_cut(ring, false, last, left_at)
+                                            : end_cut(half, right_side(half), last, left_at);
   end.t[left_side(half)] = left.t;
   end.t[right_side(half)] = right.t;
   end.vertices[left_side(half)] = left.vertex;

@@ -22,6 +22,9 @@ namespace {
 constexpr double kSamePlace = 10;
 // Strips longer than asked for grow by so many times their length until they meet what ends them.
 constexpr double kGrowth = 2;
+// Radii past the place where one contact leaves its face, so far the other one is followed to where
+// it leaves its own: borders that go on by the cotangent of this are nearly straight on.
+constexpr double kEndRadii = 8;
 // Strips for each edge of a run before a walk counts as lost.
 constexpr std::size_t kMostStrips = 16;
 
@@ -71,6 +74,7 @@ class Walker {
   WalkedStrip pair_strip(const WalkedStrip& of, const Exit& exit, const std::array<int, 2>& faces,
                          std::size_t place);
   bool grow(WalkedStrip& of, bool at_start) const;
+  bool grow_past(WalkedStrip& of, double t, int ahead) const;
   Exit over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
                   const std::optional<ContactCrossing>& other) const;
   bool reaches(WalkedStrip& next, const Vec3& centre, double reach, double& t) const;
@@ -81,6 +85,10 @@ class Walker {
   std::optional<std::size_t> joint_at(int edge, std::size_t place, int step) const;
   void check_end(const WalkedStrip& of, std::size_t place, int step, double t) const;
   bool is_shared(int step) const;
+  [[noreturn]] void refuse(FilletFault fault, std::size_t place, const std::string& cause,
+                           const Vec3& centre) const {
+    throw FilletRefused({fault, run_.edges[place].edge, cause, std::nullopt, centre, {}});
+  }
   std::optional<std::size_t> next_place(std::size_t place, int step) const;
 
   const BodyEdges& body_;
@@ -195,6 +203,25 @@ bool Walker::grow(WalkedStrip& of, bool at_start) const {
   return true;
 }
 
+// More of a strip than it has past the place where it ends, for the contact that goes on there.
+bool Walker::grow_past(WalkedStrip& of, double t, int ahead) const {
+  const RolledStrip& strip = of.strip;
+  if (!strip.over) return false;
+  double speed = 0;
+  for (const RolledContact& each : strip.contacts)
+    speed = std::max(speed, each.curve->DN(t, 1).Magnitude());
+  Interval range = strip.range;
+  const double room = kEndRadii * strip.radius / speed;
+  if (ahead > 0)
+    range.to = std::max(range.to, std::min(strip.most.to, t + room));
+  else
+    range.from = std::min(range.from, std::max(strip.most.from, t - room));
+  if (range == strip.range) return false;
+  options_.tick();
+  of.strip = strip.over(range);
+  return true;
+}
+
 // Both contacts at once, where they go over smooth edges at one place.
 Exit Walker::over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
                         const std::optional<ContactCrossing>& other) const {
@@ -217,6 +244,7 @@ Exit Walker::exit(WalkedStrip& of, std::size_t place, int step, double from,
   const bool goes_on_alike = of.of_edge && next && faces_of(*next) == faces_of(place);
   const bool ends_shared = of.of_edge && !next && is_shared(step);
   const double edge_end = ahead > 0 ? of.strip.edge_range.to : of.strip.edge_range.from;
+  bool may_grow_past = true;
   for (;;) {
     std::array<std::optional<ContactCrossing>, 2> first;
     std::optional<std::size_t> side;
@@ -226,8 +254,13 @@ Exit Walker::exit(WalkedStrip& of, std::size_t place, int step, double from,
     }
     if ((goes_on_alike || ends_shared) && (!side || !is_nearer(first[*side]->t, edge_end)))
       return {edge_end, {}, ends_shared};
-    if (side && !is_smooth(*first[*side]))
+    if (side && !is_smooth(*first[*side])) {
+      if (may_grow_past && !first[1 - *side] && grow_past(of, first[*side]->t, ahead)) {
+        may_grow_past = false;
+        continue;
+      }
       return {first[*side]->t, {}, true, first[*side]->use->edge};
+    }
     if (side) return over_edges(of, *side, *first[*side], first[1 - *side]);
     if (!grow(of, ahead < 0))
       return {ahead > 0 ? of.strip.range.to : of.strip.range.from, {}, true};
@@ -275,13 +308,9 @@ WalkedStrip Walker::pair_strip(const WalkedStrip& of, const Exit& exit,
   }
   const auto profile = profiles_.everywhere();
   if (!profile)
-    throw FilletRefused(
-        {FilletFault::End,
-         run_.edges[place].edge,
-         "it goes over smooth edges beside it, which only fillets of one radius can",
-         std::nullopt,
-         ball.centre,
-         {}});
+    refuse(FilletFault::End, place,
+           "it goes over smooth edges beside it, which only fillets of one radius can",
+           ball.centre);
   return {traced_strip(body_, ball, run_.edges[place].edge, run_.concave, *profile), true, 0,
           false};
 }
@@ -324,15 +353,11 @@ void Walker::check_end(const WalkedStrip& of, std::size_t place, int step, doubl
     least = away;
   }
   if (!run_.closed && !next_place(*nearest, step)) return;
-  throw FilletRefused({FilletFault::LeavesFace,
-                       run_.edges[*nearest].edge,
-                       "the ball stops at a border of face " +
-                           std::to_string(of.strip.contacts[0].face) + " or face " +
-                           std::to_string(of.strip.contacts[1].face) +
-                           " before it comes to the end of the edges",
-                       std::nullopt,
-                       centre,
-                       {}});
+  refuse(FilletFault::LeavesFace, *nearest,
+         "the ball stops at a border of face " + std::to_string(of.strip.contacts[0].face) +
+             " or face " + std::to_string(of.strip.contacts[1].face) +
+             " before it comes to the end of the edges",
+         centre);
 }
 
 // The strip that follows and where it begins.
@@ -340,6 +365,11 @@ std::pair<WalkedStrip, double> Walker::following(const WalkedStrip& of, const Ex
                                                  std::size_t& place, int step) {
   const std::array<int, 2> faces = faces_behind(of, exit);
   const Vec3 centre = vec(of.strip.spine->Value(exit.t).XYZ());
+  if (faces[0] == faces[1])
+    refuse(FilletFault::End, place,
+           "the edge becomes smooth at its end: a strip that narrows to a point there "
+           "cannot be built yet",
+           centre);
   const double reach = reach_at(exit);
   double t = 0;
   if (const auto there = place_with(faces, place, step)) {
@@ -351,12 +381,8 @@ std::pair<WalkedStrip, double> Walker::following(const WalkedStrip& of, const Ex
   }
   WalkedStrip made = pair_strip(of, exit, faces, place);
   if (!made.strip.closed && reaches(made, centre, reach, t)) return {std::move(made), t};
-  throw FilletRefused({FilletFault::Corner,
-                       run_.edges[place].edge,
-                       "the ball does not go on over a smooth edge beside it",
-                       std::nullopt,
-                       centre,
-                       {}});
+  refuse(FilletFault::Corner, place, "the ball does not go on over a smooth edge beside it",
+         centre);
 }
 
 // All strips that follow, and how they are joined; a closed run ends with the strip it started
@@ -382,12 +408,8 @@ Walker::Part Walker::way(WalkedStrip& from, std::size_t place, int step) {
     of = &part.back().second;
     if (run_.closed && of->of_edge && place == first) return part;
   }
-  throw FilletRefused({FilletFault::LeavesFace,
-                       run_.edges[place].edge,
-                       "the ball does not come to the end of the edges",
-                       std::nullopt,
-                       vec(of->strip.spine->Value(t).XYZ()),
-                       {}});
+  refuse(FilletFault::LeavesFace, place, "the ball does not come to the end of the edges",
+         vec(of->strip.spine->Value(t).XYZ()));
 }
 
 // A strip that comes back to where it began; only as long as the ball rolls round in it.
@@ -401,12 +423,8 @@ BallWalk Walker::round(WalkedStrip strip) const {
   };
   for (std::size_t i = 0; i < run_.edges.size(); ++i)
     if (!run_.closed || !beside(i))
-      throw FilletRefused({FilletFault::End,
-                           run_.edges[i].edge,
-                           "the ball rolls round both faces, not only along the edge",
-                           std::nullopt,
-                           vec(strip.strip.spine->Value(strip.inside).XYZ()),
-                           {}});
+      refuse(FilletFault::End, i, "the ball rolls round both faces, not only along the edge",
+             vec(strip.strip.spine->Value(strip.inside).XYZ()));
   const Interval range =
       strip.forward ? strip.strip.range : Interval{strip.strip.range.to, strip.strip.range.from};
   BallWalk walk{run_, {}, {{range.to, range.from, {}}}};
@@ -443,10 +461,6 @@ BallWalk Walker::walk() {
   if (run_.closed) walk.strips.pop_back();
   return walk;
 }
-
-}  // namespace
-
-namespace {
 
 // The parts of a run before and after a cut; of a closed run the one that is left.
 std::vector<EdgeRun> parts_of(const EdgeRun& run, std::size_t cut) {

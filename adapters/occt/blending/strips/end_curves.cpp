@@ -64,8 +64,10 @@ std::vector<PlanarCrossing> meetings(const BodyEdges& body, const RolledStrip& s
 
 Interval widened(const Interval& of, double room) { return {of.from - room, of.to + room}; }
 
-Vec3 plane_normal(const TopoDS_Face& plane) {
-  const SurfaceFrame frame = frame_at(BRep_Tool::Surface(plane), {0, 0});
+// Of a face's surface at the foot of a point.
+Vec3 normal_near(const TopoDS_Face& face, const Vec3& point) {
+  const SurfaceProjector feet(face, Precision::Confusion());
+  const SurfaceFrame frame = frame_at(feet.surface(), feet.foot(point, std::nullopt));
   return unit(cross(frame.du, frame.dv));
 }
 
@@ -278,21 +280,42 @@ std::optional<double> contact_through(const RolledStrip& of, std::size_t side, d
   return best;
 }
 
-std::optional<EndCurve> plane_curve_between(const TopoDS_Face& plane, const TopoDS_Face& face,
-                                            const Vec3& from, const Vec3& to, double reach) {
+std::optional<double> contact_through(const RolledStrip& of, std::size_t side, double near,
+                                      const TopoDS_Face& face, const Interval& part) {
+  const Handle(Geom_Curve)& contact = of.contacts[side].curve;
+  std::vector<Vec3> points;
+  // With room on all sides, as the contact may go straight through the face.
+  for (int i = 0; i <= kFootSamples; ++i) {
+    const Vec3 point = vec(contact->Value(at(part, static_cast<double>(i) / kFootSamples)).XYZ());
+    for (const double room : {-of.radius, of.radius})
+      for (const Vec3& axis : {Vec3{room, 0, 0}, Vec3{0, room, 0}, Vec3{0, 0, room}})
+        points.push_back(point + axis);
+  }
+  TopoDS_Edge edge;
+  BRep_Builder builder;
+  builder.MakeEdge(edge, contact, Precision::Confusion());
+  builder.Range(edge, part.from, part.to);
+  std::optional<double> best;
+  for (const CurveSurfacePoint& each :
+       intersect(bezier_spans(edge), face_surface(points, face)).points)
+    if (!best || std::abs(each.t - near) < std::abs(*best - near)) best = each.t;
+  return best;
+}
+
+std::optional<EndCurve> wall_curve_between(const TopoDS_Face& wall, const TopoDS_Face& face,
+                                           const Vec3& from, const Vec3& to, double reach) {
   std::vector<Vec3> points;
   for (int i = 0; i <= kFootSamples; ++i)
     points.push_back(from + (static_cast<double>(i) / kFootSamples) * (to - from));
   // A square that holds both points with room on all sides, so that no curve ends between them.
   const Vec3 middle = 0.5 * (from + to), half = to - from;
-  const Vec3 aside = cross(half, plane_normal(plane));
+  const Vec3 aside = cross(half, normal_near(wall, middle));
   for (const double sign : {1.0, -1.0}) {
     points.push_back(middle + sign * half);
     points.push_back(middle + sign * aside);
   }
-  const BezierSurface on_face = face_surface(points, face);
-  const BezierSurface on_plane = bezier_surface(BRep_Tool::Surface(plane), box_near(points, plane));
-  return best_curve(on_face, face, on_plane, plane, from, to, reach);
+  return best_curve(face_surface(points, face), face, face_surface(points, wall), wall, from, to,
+                    reach);
 }
 
 std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const RolledStrip& a,

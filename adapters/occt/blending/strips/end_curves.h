@@ -92,9 +92,15 @@ std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const
                                                     const RolledStrip& b, std::size_t side_b,
                                                     double near_b);
 
-/// The piece of the curve in which a plane and the surface of a face meet; `on_strip` is in the
-/// parameters of the plane.
-std::optional<EndCurve> plane_curve_between(const TopoDS_Face& plane, const TopoDS_Face& face,
-                                            const Vec3& from, const Vec3& to, double reach);
+/// Where a contact goes through the surface of a face: its t nearest to `near`.
+///
+/// part   of t in which the contact is looked at
+std::optional<double> contact_through(const RolledStrip& of, std::size_t side, double near,
+                                      const TopoDS_Face& face, const Interval& part);
+
+/// The piece of the curve in which the surfaces of two faces meet; `on_strip` is in the parameters
+/// of the wall.
+std::optional<EndCurve> wall_curve_between(const TopoDS_Face& wall, const TopoDS_Face& face,
+                                           const Vec3& from, const Vec3& to, double reach);
 
 }  // namespace blossom::occt

@@ -290,7 +290,7 @@ RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, co
   const std::array<Vec2, 2> feet{of.sides[0].profile.foot(centre),
                                  of.sides[1].profile.foot(centre)};
   if (centre[0] < -kOnAxis * of.radius || feet[0][0] < 0 || feet[1][0] < 0)
-    of.refuse("the ball goes over the axis of its circle");
+    of.refuse("the ball is too large for the circle that it rolls along: it would reach its axis");
   const Section& in = of.section;
   RolledStrip strip = strip_of(of);
   strip.closed = closed;

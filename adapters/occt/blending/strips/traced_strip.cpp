@@ -222,7 +222,7 @@ void Tracing::check_reach(double end, const Vec3& vertex, double room) const {
   refuse(FilletFault::LeavesFace,
          std::string("the ball rolls only along a part of the edge: there ") +
              (track->ends()[0] == TrackEnd::Lost || track->ends()[1] == TrackEnd::Lost
-                  ? "its way is lost"
+                  ? "its way cannot be followed further"
                   : "a contact leaves the surface of a face"),
          ball.contacts[0].point);
 }

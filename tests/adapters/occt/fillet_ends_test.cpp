@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where strips end: in faces that grow, and in one another at edges of the other kind.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kCut = 1 - std::numbers::pi / 4;  // a ball of radius 1 in a square's corner
+
+template <class Fits>
+std::vector<int> edges_where(const TopoDS_Shape& shape, EdgeKind kind, const Fits& fits) {
+  std::vector<int> found;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == kind && fits(each.middle)) found.push_back(each.number);
+  return found;
+}
+
+TopoDS_Shape prism(const std::vector<gp_Pnt>& outline, const gp_Vec& way) {
+  BRepBuilderAPI_MakePolygon wire;
+  for (const gp_Pnt& each : outline) wire.Add(each);
+  wire.Close();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire(), true).Face(), way).Shape();
+}
+
+// Valid, whole, and as much more as was said.
+void expect_change(const FilletResult& made, double more, double error) {
+  for (const FilletRefusal& each : made.refused) ADD_FAILURE() << each.text();
+  for (const std::string& each : made.notes) ADD_FAILURE() << each;
+  ASSERT_EQ(made.solids.size(), 1U);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
+  EXPECT_NEAR(made.solids.front().volume - made.volume_before, more, error);
+}
+
+// The sum of a function's values between two points, by Simpson's rule.
+template <class F>
+double integral(double from, double to, const F& f) {
+  constexpr int kSteps = 20000;
+  const double step = (to - from) / kSteps;
+  double sum = f(from) + f(to);
+  for (int i = 1; i < kSteps; ++i) sum += (i % 2 == 1 ? 4 : 2) * f(from + i * step);
+  return sum * step / 3;
+}
+
+// An angle of two bars: its inner corner is at (5, 5).
+const std::vector<gp_Pnt> kAngle{{0, 0, 0}, {30, 0, 0}, {30, 5, 0},
+                                 {5, 5, 0}, {5, 25, 0}, {0, 25, 0}};
+
+TEST(FilletAtAnInnerCorner, TheOtherWallGrowsAndEndsTheStrip) {
+  const TopoDS_Shape shape = prism(kAngle, {0, 0, 20});
+  const std::vector<int> edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+    return std::abs(at[1] - 5) < 1e-9 && std::abs(at[2] - 20) < 1e-9 && at[0] < 29;
+  });
+  ASSERT_EQ(edges.size(), 1U);
+
+  expect_change(fillet(shape, edges, {.radius = 1}), -25 * kCut, 1e-9);
+}
+
+TEST(FilletAtAnInnerCorner, AWallThatGoesBackLeavesMoreOfTheStrip) {
+  // The wall goes away from the edge by a third of the way behind it.
+  const TopoDS_Shape shape =
+      prism({{0, 0, 0}, {30, 0, 0}, {30, 5, 0}, {12, 5, 0}, {6, 23, 0}, {0, 23, 0}}, {0, 0, 20});
+  const std::vector<int> edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+    return std::abs(at[1] - 5) < 1e-9 && std::abs(at[2] - 20) < 1e-9 && at[0] < 29;
+  });
+  ASSERT_EQ(edges.size(), 1U);
+  // At the distance y behind the edge the wall, gone on, stands y / 3 further along.
+  const double r = 1;
+  const auto height = [&](double y) { return r - std::sqrt(2 * r * y - y * y); };
+  const double less = integral(0, 1, [&](double s) {
+    const double y = s * s;  // the root is smooth in s
+    return 2 * s * height(y) * (18 - y / 3);
+  });
+
+  expect_change(fillet(shape, edges, {.radius = r}), -less, 1e-9);
+}
+
+// Once the inner corner is round, the rims of both bars go on in one another.
+TEST(FilletAtAnInnerCorner, EdgesThatFilletsGoOnInAreToldAmongThoseRounded) {
+  const TopoDS_Shape shape = prism(kAngle, {0, 0, 20});
+  const auto on_top = [](const Vec3& at) { return std::abs(at[2] - 20) < 1e-9; };
+  const std::vector<int> inner = edges_where(shape, EdgeKind::Convex, [&](const Vec3& at) {
+    return on_top(at) &&
+           ((std::abs(at[1] - 5) < 1e-9 && at[0] > 5) || (std::abs(at[0] - 5) < 1e-9 && at[1] > 5));
+  });
+  ASSERT_EQ(inner.size(), 2U);
+  std::vector<int> asked = edges_where(shape, EdgeKind::Concave, [](const Vec3&) { return true; });
+  ASSERT_EQ(asked.size(), 1U);
+  asked.push_back(inner.front());
+
+  const FilletResult made = fillet(shape, asked, {.radius = 1});
+
+  ASSERT_EQ(made.solids.size(), 1U);
+  for (const int edge : inner)
+    EXPECT_TRUE(std::ranges::find(made.edges, edge) != made.edges.end()) << edge;
+}
+
+// A quarter of a cone, whose upright edge ends in the apex.
+TEST(FilletAtAnApex, StripEndsInTheCone) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeCone(50, 0, 120, std::numbers::pi / 2).Shape();
+  const std::vector<int> edges = edges_where(
+      shape, EdgeKind::Convex, [](const Vec3& at) { return std::hypot(at[0], at[1]) < 1e-9; });
+  ASSERT_EQ(edges.size(), 1U);
+  // At the distances x, y from the planes the cone is 120 (1 - hypot(x, y) / 50) high; the ball
+  // leaves what is nearer to the axis than its arc, which begins at R(a) from it.
+  const double r = 10;
+  const double less = 2 * integral(0, std::sqrt(std::numbers::pi / 4), [&](double s) {
+                        const double a = s * s,
+                                     sum = std::cos(a) + std::sin(a);  // the root is smooth in s
+                        const double far = r * (sum - std::sqrt(std::sin(2 * a)));
+                        return 2 * s * 120 * (far * far / 2 - far * far * far / 150);
+                      });
+
+  expect_change(fillet(shape, edges, {.radius = r}), -less, 1e-6);
+}
+
+// A triangular rib of height 15 and length 20 on a plate: at the foot of its slope the ball
+// touches the slope lower than the sides.
+TEST(FilletRoundARib, StripsOfFacesAtDifferentAnglesMeetInAMitre) {
+  const double thickness = 4, r = 1;
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -5), gp_Pnt(40, 14, 0)).Shape();
+  const TopoDS_Shape rib = prism({{0, 0, 0}, {20, 0, 0}, {0, 0, 15}}, {0, thickness, 0});
+  const TopoDS_Shape shape = BRepAlgoAPI_Fuse(plate, rib).Shape();
+  const std::vector<int> edges =
+      edges_where(shape, EdgeKind::Concave, [](const Vec3& at) { return std::abs(at[2]) < 1e-9; });
+  ASSERT_EQ(edges.size(), 4U);
+  // How far strips come from a side and from the slope at height z.
+  const auto upright = [&](double z) { return r - std::sqrt(2 * r * z - z * z); };
+  const auto sloping = [&](double z) {
+    return z < 0.2 * r ? r / 3 + 4 * z / 3 - std::sqrt(2 * r * z - z * z) : 0.0;
+  };
+  const auto ring = [&](double z) {
+    const double w = upright(z), v = sloping(z);
+    return 2 * w * (20 - 4 * z / 3) + (w + v) * thickness + 2 * w * w + 2 * w * v;
+  };
+  const double low = std::sqrt(0.2 * r);  // z = s^2
+  const auto by_root = [&](double s) { return 2 * s * ring(s * s); };
+  const double more = integral(0, low, by_root) + integral(low, 1, by_root);
+
+  expect_change(fillet(shape, edges, {.radius = r}), more, 1e-8);
+}
+
+// The same inside out: the rim of a pocket with three upright walls and a slope.
+TEST(FilletRoundAPocket, StripsOfFacesAtDifferentAnglesMeetInAMitre) {
+  const double r = 1;
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -20), gp_Pnt(40, 14, 0)).Shape();
+  const TopoDS_Shape pocket = prism({{0, 0, 0}, {20, 0, 0}, {0, 0, -15}}, {0, 4, 0});
+  const TopoDS_Shape shape = BRepAlgoAPI_Cut(block, pocket).Shape();
+  const std::vector<int> edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+    return std::abs(at[2]) < 1e-9 && at[0] > -1 && at[0] < 21 && at[1] > -1 && at[1] < 5;
+  });
+  ASSERT_EQ(edges.size(), 4U);
+  const auto upright = [&](double z) { return r - std::sqrt(2 * r * z - z * z); };
+  const auto sloping = [&](double z) {
+    return z < 0.2 * r ? r / 3 + 4 * z / 3 - std::sqrt(2 * r * z - z * z) : 0.0;
+  };
+  const auto ring = [&](double z) {
+    const double w = upright(z), v = sloping(z);
+    return 2 * w * (20 - 4 * z / 3) + (w + v) * 4 + 2 * w * w + 2 * w * v;
+  };
+  const double low = std::sqrt(0.2 * r);
+  const auto by_root = [&](double s) { return 2 * s * ring(s * s); };
+  const double less = integral(0, low, by_root) + integral(low, 1, by_root);
+
+  expect_change(fillet(shape, edges, {.radius = r}), -less, 1e-8);
+}
+
+}  // namespace
+}  // namespace blossom::occt
