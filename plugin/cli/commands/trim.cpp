@@ -41,6 +41,7 @@ struct TrimCommand {
   std::vector<std::string> planes;
   std::string keep;
   std::string solid;  // an operation on solids, instead of keep
+  double fuzzy = 0;   // with solid: how much farther apart than the tolerance things may be one
   bool allow_incomplete = false;
   bool watertight = false;
   CommonOptions common;
@@ -185,14 +186,17 @@ int run_solid(const TrimCommand& options) {
     throw UsageError("--solid goes without --keep and --allow-incomplete");
   if (!is_solid_operation(options.solid))
     throw UsageError("--solid takes cut, common, fuse or split, not '" + options.solid + "'");
+  EngineOptions engine = options.engine;
+  engine.tolerance += options.fuzzy;
   return trim_solids({options.part, options.tools, planes_of(options), options.solid,
-                      options.watertight, options.common, options.engine});
+                      options.watertight, options.common, engine});
 }
 
 int run(const TrimCommand& options) {
   if (options.tools.empty() && options.planes.empty())
     throw UsageError("trim needs a TOOL, or a plane by --plane");
   if (!options.solid.empty()) return run_solid(options);
+  if (options.fuzzy > 0) throw UsageError("--fuzzy goes with --solid");
   if (options.keep.empty()) throw UsageError("trim needs --keep, or --solid for solids");
   std::vector<std::string> files = options.tools;
   files.push_back(options.part);
@@ -236,6 +240,12 @@ void add_trim(CLI::App& app, int& exit_code) {
           "combine closed solids instead: cut, common, fuse or split (cut and common side by "
           "side), with all tools; each tool, sheet or plane splits all pieces")
       ->type_name("OPERATION");
+  command
+      ->add_option("--fuzzy", options->fuzzy,
+                   "with --solid: what is up to so much farther apart than the tolerance counts as "
+                   "one, in model units")
+      ->check(positive_number())
+      ->type_name("T");
   command->add_flag("--allow-incomplete", options->allow_incomplete,
                     "write the model even if the intersection was stopped");
   command->add_flag("--watertight", options->watertight,

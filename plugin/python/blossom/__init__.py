@@ -327,9 +327,11 @@ def trim(
     return model_of(part, "part").trim(*tools, keep=keep, planes=planes, **options)
 
 
-def solid(operation: str, part: Any, *tools: Any, planes: Any = (), **options: Any) -> Solid:
+def solid(
+    operation: str, part: Any, *tools: Any, planes: Any = (), fuzzy: float = 0, **options: Any
+) -> Solid:
     """Closed solids combined: "cut", "common", "fuse" or "split"; see `Model.solid`."""
-    return model_of(part, "part").solid(operation, *tools, planes=planes, **options)
+    return model_of(part, "part").solid(operation, *tools, planes=planes, fuzzy=fuzzy, **options)
 
 
 def fillet(

@@ -361,8 +361,11 @@ _MOST_NICE = 19  # of the system's priorities
 Progress = Callable[[float], object]
 
 
-def control(options: Dict[str, Any]) -> _core.Control:
-    """The options that all questions have in common; see the package's help."""
+def control(options: Dict[str, Any], fuzzy: float = 0) -> _core.Control:
+    """The options that all questions have in common; see the package's help.
+
+    fuzzy   goes on top of the tolerance
+    """
     for name in options:
         if name not in _KNOWN_OPTIONS:
             raise TypeError(f"there is no option '{name}'; there are {', '.join(_KNOWN_OPTIONS)}")
@@ -374,7 +377,7 @@ def control(options: Dict[str, Any]) -> _core.Control:
         raise TypeError(f"progress: a function of the seconds is wanted, got {kind(progress)}")
     budget = options.get("budget")
     return _core.Control(
-        tolerance=positive(options.get("tolerance", 1e-7), "tolerance"),
+        tolerance=positive(options.get("tolerance", 1e-7), "tolerance") + fuzzy,
         form=word(options.get("form", "auto"), "form", FORMS),
         time_limit=not_negative(options.get("time_limit", 0), "time_limit"),
         budget=None if budget is None else whole(budget, "budget", 1),

@@ -294,18 +294,25 @@ class Model(_results.MadeShape):
             _core.trim(self._core, cutters, listed, str(keep), _checks.control(options))
         )
 
-    def solid(self, operation: str, *tools: Any, planes: Any = (), **options: Any) -> Solid:
+    def solid(
+        self,
+        operation: str,
+        *tools: Any,
+        planes: Any = (),
+        fuzzy: float = 0,
+        **options: Any,
+    ) -> Solid:
         """The closed solid combined with others.
 
         operation   "cut", "common", "fuse", or "split": cut and common side by side, which takes
                     sheets as tools, too
         planes      pairs (point, normal); what is above cuts like a tool
+        fuzzy       what is up to so much farther apart than the tolerance counts as one
         """
         wanted = _checks.word(operation, "operation", ("cut", "common", "fuse", "split"))
         cutters, listed = _cutters("solid", tools, planes)
-        return Solid(
-            _core.solid(wanted, self._core, cutters, listed, _checks.control(options))
-        )
+        control = _checks.control(options, _checks.not_negative(fuzzy, "fuzzy"))
+        return Solid(_core.solid(wanted, self._core, cutters, listed, control))
 
     def fillet(
         self,

@@ -62,6 +62,25 @@ class TrimSolidsCommand : public ::testing::Test {
   testing::TestFolder folder;
 };
 
+// Beside the box, farther away than the tolerance.
+TEST_F(TrimSolidsCommand, FusesAcrossAGapThatFuzzyCovers) {
+  write(BRepPrimAPI_MakeBox(gp_Pnt(2 + 1e-4, -2, 0), gp_Pnt(4, 2, 3)).Shape(), "near.brep");
+  const auto solids_with = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"fuse", "-o", folder / "fused.brep"});
+    const Finished run = combine("near.brep", options);
+    EXPECT_TRUE(run.code == 0 || run.code == 3) << run.err;
+    const occt::Model fused = occt::read_model(folder / "fused.brep");
+    EXPECT_TRUE(BRepCheck_Analyzer(fused.shape()).IsValid());
+    return fused.face_count();
+  };
+  EXPECT_EQ(solids_with({}), 12);
+  EXPECT_EQ(solids_with({"--fuzzy", "2e-4"}), 10);
+  const Finished alone = blossom({"trim", folder / "box.brep", folder / "near.brep", "--keep",
+                                  "all", "--fuzzy", "2e-4"});
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_NE(alone.err.find("--fuzzy goes with --solid"), std::string::npos) << alone.err;
+}
+
 TEST_F(TrimSolidsCommand, WritesTheBoxWithoutTheBall) {
   const Finished run =
       combine("ball.step", {"cut", "-o", folder / "cut.step", "--json", folder / "cut.json"});

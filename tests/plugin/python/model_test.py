@@ -177,6 +177,15 @@ class KnownFigures(unittest.TestCase):
         self.assertIn("split, complete, 2 solids", repr(halves))
 
     @unittest.skipIf(Part is None, NO_PART)
+    def test_what_is_apart_by_less_than_fuzzy_is_one(self):
+        left, right = Part.makeBox(2, 2, 2), Part.makeBox(2, 2, 2)
+        right.Placement.Base = (2 + 1e-4, 0, 0)
+        self.assertEqual(len(blossom.solid("fuse", left, right)), 2)
+        self.assertEqual(len(blossom.solid("fuse", left, right, fuzzy=2e-4)), 1)
+        with self.assertRaisesRegex(ValueError, "fuzzy: -1.0 is negative"):
+            blossom.solid("fuse", left, right, fuzzy=-1)
+
+    @unittest.skipIf(Part is None, NO_PART)
     def test_two_boxes_are_cut_as_part_has_them(self):
         big, small = Part.makeBox(2, 2, 2), Part.makeBox(2, 2, 2)
         small.Placement.Base = (1, 1, 1)
