@@ -293,7 +293,8 @@ SimpleSolid random_tool(Random& random) {
 
 CountedVolume counted_common(const SolidJob& job) {
   Bnd_Box box;
-  BRepBndLib::AddOptimal(job.a.volume() < job.b.volume() ? job.a.shape() : job.b.shape(), box);
+  // The optimal box of a torus may be smaller than it.
+  BRepBndLib::Add(job.a.volume() < job.b.volume() ? job.a.shape() : job.b.shape(), box);
   const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
   constexpr int kPoints = 4000000;
   // The additive sequence of the plastic number's cousin in three dimensions.
