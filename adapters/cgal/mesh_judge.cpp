@@ -73,9 +73,12 @@ class Judge {
       while (end < sides.size() && sides[end].low == sides[first].low &&
              sides[end].high == sides[first].high)
         ++end;
-      found_.open_sides += end - first == 1;
-      found_.crowded_sides += end - first > 2;
-      found_.turned_sides += end - first == 2 && sides[first].forward == sides[first + 1].forward;
+      const std::size_t uses = end - first;
+      std::size_t forward = 0;
+      for (std::size_t k = first; k < end; ++k) forward += sides[k].forward;
+      found_.open_sides += uses % 2;
+      found_.crowded_sides += uses > 2;
+      found_.turned_sides += uses % 2 == 0 && 2 * forward != uses;
       for (std::size_t k = first + 1; k < end; ++k)
         parts.join(index(sides[k].triangle), index(sides[first].triangle));
       first = end;

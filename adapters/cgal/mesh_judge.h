@@ -16,9 +16,9 @@
 namespace blossom::cgal {
 
 struct MeshVerdict {
-  std::size_t open_sides = 0;     ///< of one triangle alone
+  std::size_t open_sides = 0;     ///< of one triangle alone, or an odd number
   std::size_t crowded_sides = 0;  ///< of more than two
-  std::size_t turned_sides = 0;   ///< of two that go round it the same way: one is turned over
+  std::size_t turned_sides = 0;   ///< of two, or an even number, that not half go round each way
   std::size_t degenerate = 0;     ///< triangles with corners on a line or repeated
   std::size_t parts = 0;          ///< connected by sides
   double area = 0;
@@ -28,7 +28,8 @@ struct MeshVerdict {
   /// The first of them, by place.
   std::vector<std::array<int, 2>> crossing_pairs;
 
-  bool closed() const { return open_sides == 0 && crowded_sides == 0 && turned_sides == 0; }
+  /// All sides are gone along as often one way as the other; bodies may share a side.
+  bool closed() const { return open_sides == 0 && turned_sides == 0; }
 };
 
 /// The most pairs that `crossing_pairs` lists.

@@ -66,9 +66,9 @@ std::string mesh_check_text(const std::string& file, const FileMesh& mesh,
   const auto line = [&](std::size_t count, const char* noun, const char* what) {
     if (count > 0) text << "  " << counted(count, noun) << " " << what << "\n";
   };
-  line(found.open_sides, "side", "of one triangle: the mesh is open");
+  line(found.open_sides, "side", "of one triangle, or an odd number: the mesh is open");
   line(found.crowded_sides, "side", "of more than two triangles");
-  line(found.turned_sides, "side", "whose two triangles are turned against each other");
+  line(found.turned_sides, "side", "whose triangles are turned against each other");
   line(found.degenerate, "triangle", "of no area");
   line(found.crossings, "pair", "of triangles that cross");
   for (std::size_t k = 0; k < found.crossing_pairs.size() && k < kNamedPairs; ++k)

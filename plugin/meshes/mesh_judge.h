@@ -22,8 +22,10 @@ struct JudgedMesh {
   double area = 0, volume = 0;
   std::vector<std::array<int, 2>> crossing_pairs;
 
-  bool closed() const { return open_sides == 0 && crowded_sides == 0 && turned_sides == 0; }
-  bool sound() const { return closed() && degenerate == 0 && crossings == 0 && volume > 0; }
+  bool closed() const { return open_sides == 0 && turned_sides == 0; }
+  bool sound() const {
+    return closed() && crowded_sides == 0 && degenerate == 0 && crossings == 0 && volume > 0;
+  }
 };
 
 /// Nothing if it was built without CGAL.

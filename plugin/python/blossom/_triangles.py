@@ -52,7 +52,7 @@ class MeshCheck(Result):
 
     @property
     def turned_sides(self) -> int:
-        """Sides whose two triangles are turned against each other."""
+        """Sides whose triangles are turned against each other."""
         return int(self._told()["turned_sides"])
 
     @property

@@ -43,6 +43,24 @@ TEST(MeshVerdict, CountsOpenTurnedAndCrowdedSides) {
   EXPECT_EQ(cgal::judge_mesh(points, crowded).crowded_sides, 1u);
 }
 
+// Half a turn about a side makes another tetrahedron there: it is gone along twice each way.
+TEST(MeshVerdict, HasAVolumeWhereBodiesShareASide) {
+  std::vector<Vec3> points = kCorners;
+  points.push_back(-points[2]);
+  points.push_back(-points[3]);
+  Triangles both = kTetrahedron;
+  const int moved[4] = {0, 1, 4, 5};
+  for (const auto& [a, b, c] : kTetrahedron) both.push_back({moved[a], moved[b], moved[c]});
+  const cgal::MeshVerdict one = cgal::judge_mesh(kCorners, kTetrahedron);
+
+  const cgal::MeshVerdict found = cgal::judge_mesh(points, both);
+
+  EXPECT_EQ(found.crowded_sides, 1u);
+  EXPECT_EQ(found.open_sides + found.turned_sides, 0u);
+  EXPECT_TRUE(found.closed());
+  EXPECT_NEAR(found.volume, 2 * one.volume, 1e-14);
+}
+
 TEST(MeshVerdict, FindsCrossingsOfTrianglesThatShareNothingACornerOrASide) {
   const std::vector<Vec3> points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0},  {1, 1, -1},
                                  {1, 1, 1}, {3, 3, 1}, {1, 1, -2}, {1, 1, 0}};
