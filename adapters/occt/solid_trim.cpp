@@ -171,10 +171,11 @@ SolidTrimResult fused(const std::vector<std::vector<LabelledSolids>>& sets, Laye
 }
 
 // Each layer of the part by itself.
-SolidTrimResult divided(const StagedInputs& inputs, SolidOperation operation, LayerWork& work) {
+SolidTrimResult divided(StagedInputs& inputs, SolidOperation operation, LayerWork& work) {
   const std::vector<LabelledSolids> tools = inputs.tools();
   LabelledSolids cutters;
-  if (operation != SolidOperation::Common) cutters = each_fused(tools, work);
+  if (operation == SolidOperation::Cut) cutters = inputs.gathered_tools();
+  if (operation != SolidOperation::Common && cutters.empty()) cutters = each_fused(tools, work);
   SolidTrimResult all;
   for (const LabelledSolid& layer : inputs.part()) {
     if (work.is_refused()) break;

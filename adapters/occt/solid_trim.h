@@ -79,10 +79,10 @@ std::string describe_open_shell(const TrimTool& tool);
 /// of the inputs, as they were.
 ///
 /// Tools are taken one after the other: the part, and then the result so far, is combined with the
-/// next one, until the result is empty. To split, each of them divides all pieces, which have
-/// copies of the common faces that it goes through. Solids of one input that touch each other are
-/// worked on apart, in layers, and stay apart; fused, they become one only where solids of another
-/// input join them.
+/// next one, until the result is empty; to cut, those that meet none of each other are taken at
+/// once. To split, each of them divides all pieces, which have copies of the common faces that it
+/// goes through. Solids of one input that touch each other are worked on apart, in layers, and stay
+/// apart; fused, they become one only where solids of another input join them.
 ///
 /// A sheet, a tool that is no closed solid, splits: each divides all pieces. What of it ends freely
 /// inside of a piece, or has one body on both sides, divides nothing; one that ends in the middle

@@ -4,8 +4,8 @@
 
     PYTHONPATH=build/release/plugin/python /usr/bin/python3 tests/bench/freecad_table.py
 
-Prints the table in plugin/freecad/README.md. Times are medians of wall-clock times, from shapes of
-Part to shapes of Part. Errors: of curves, the largest distance from the faces; of solids, the part
+Prints the table in plugin/freecad/README.md. Times are medians of processor times, of all threads
+together, from shapes of Part to shapes of Part. Errors: of curves, the largest distance from the faces; of solids, the part
 of the volume by which one is off what follows by hand.
 """
 
@@ -28,12 +28,12 @@ FEW_PLACES = 9  # where to measure takes long
 
 
 def timed(work):
-    """The result and the median of its times in milliseconds; the first run counts, too."""
+    """The result and the median of its processor times in milliseconds; the first counts."""
     times = []
     for _ in range(RUNS):
-        start = time.perf_counter()
+        start = time.process_time()
         made = work()
-        times.append(1000 * (time.perf_counter() - start))
+        times.append(1000 * (time.process_time() - start))
     return made, statistics.median(times)
 
 

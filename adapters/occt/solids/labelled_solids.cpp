@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 #include <TopTools_IndexedMapOfShape.hxx>
 
@@ -53,6 +54,40 @@ LabelledSolids StagedInputs::layers_of(const SolidPlaces& places, int input) {
     std::vector<TopoDS_Solid> solids;
     for (const std::size_t place : layer) solids.push_back(solids_[place]);
     stages.push_back(stage_of(solids, faces_[static_cast<std::size_t>(input)]));
+  }
+  return stages;
+}
+
+LabelledSolids StagedInputs::gathered_tools() {
+  struct Group {
+    SolidPlaces places;
+    std::vector<SolidFace> known;
+  };
+  std::vector<Group> groups;
+  for (std::size_t input = 1; input < layers_.size(); ++input) {
+    Group own{{}, faces_[input]};
+    for (std::size_t place = 0; place < solids_.size(); ++place)
+      if (input_[place] == static_cast<int>(input)) own.places.push_back(place);
+    if (own.places.empty() || layers_[input].size() != 1) return {};
+    const auto meets_none = [&](const Group& group) {
+      return std::ranges::none_of(group.places, [&](std::size_t other) {
+        return std::ranges::any_of(
+            own.places, [&](std::size_t place) { return contacts_->meet(place, other); });
+      });
+    };
+    const auto group = std::ranges::find_if(groups, meets_none);
+    if (group == groups.end()) {
+      groups.push_back(std::move(own));
+      continue;
+    }
+    group->places.insert(group->places.end(), own.places.begin(), own.places.end());
+    group->known.insert(group->known.end(), own.known.begin(), own.known.end());
+  }
+  LabelledSolids stages;
+  for (const Group& group : groups) {
+    std::vector<TopoDS_Solid> solids;
+    for (const std::size_t place : group.places) solids.push_back(solids_[place]);
+    stages.push_back(stage_of(solids, group.known));
   }
   return stages;
 }

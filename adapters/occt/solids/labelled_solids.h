@@ -33,6 +33,11 @@ class StagedInputs {
   const LabelledSolids& part() const { return layers_.front(); }
   std::vector<LabelledSolids> tools() const { return {layers_.begin() + 1, layers_.end()}; }
 
+  /// The tools in as few stages as it takes for none to meet another one of its stage, neither from
+  /// outside nor by holding it: what one after the other would cut, a stage cuts at once. Nothing
+  /// if a tool is a sheet or has several layers.
+  LabelledSolids gathered_tools();
+
   /// What becomes one when everything is fused: solids that meet those of other inputs, however
   /// indirectly. Solids of one input that only touch each other stay apart. Of each set the layers
   /// of each input that is in it.

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <numbers>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -331,6 +332,22 @@ TEST(TrimSolids, CutAHoleWithAWaistOfAFewTolerances) {
   expect_solids(trim_solids(part, {tool}, SolidOperation::Cut), 1, 2000 - 10 * area, 2000);
 }
 
+// The second tool lies in the first one, and the others meet neither of these.
+TEST(TrimSolids, CutsAtOnceWhatToolsThatAreApartCut) {
+  const TrimTool plate = trim_tool(box({0, 0, 0}, {10, 10, 1}));
+  const std::vector<TrimTool> tools{
+      trim_tool(box({1, 1, -1}, {3, 3, 2})), trim_tool(box({1.5, 1.5, 0.2}, {2, 2, 0.8})),
+      trim_tool(box({5, 1, -1}, {6, 2, 2})), trim_tool(box({8, 8, 0.5}, {11, 11, 2}))};
+  const SolidTrimResult cut = trim_solids(plate, tools, SolidOperation::Cut);
+  ASSERT_EQ(words(cut), "");
+  EXPECT_EQ(cut.volumes.size(), 2u);
+  EXPECT_NEAR(volume(cut.solids), 100 - 4 - 1 - 2, 1e-9);
+  EXPECT_NEAR(cut.total.tools, 12 + 0.15 + 3 + 13.5, 1e-9);
+  std::set<int> origins;
+  for (const SolidFace& face : cut.faces) origins.insert(face.tool);
+  EXPECT_EQ(origins, (std::set<int>{-1, 0, 2, 3}));
+}
+
 TEST(TrimSolids, TakesSeveralTools) {
   const TrimTool plate = trim_tool(box({0, 0, 0}, {4, 2, 1}));
   const std::vector<TrimTool> tools{trim_tool(box({0.5, 0.5, -1}, {1, 1, 2})),
@@ -340,7 +357,7 @@ TEST(TrimSolids, TakesSeveralTools) {
   ASSERT_EQ(words(cut), "");
   ASSERT_EQ(cut.solids.size(), 1u);
   EXPECT_NEAR(volume(cut.solids), 8 - 0.25 - 0.25 - 0.25, 1e-9);
-  EXPECT_EQ(cut.volumes.size(), 3u);
+  EXPECT_EQ(cut.volumes.size(), 2u);  // the first two tools are apart
   for (const SolidFace& face : cut.faces) {
     ASSERT_LT(face.tool, 3);
     const auto& faces =
