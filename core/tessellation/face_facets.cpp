@@ -30,6 +30,8 @@ constexpr double kShortFold = 0.5;
 constexpr double kLeastAllowed = 0.5;  // of the deviation, for what facets themselves are off
 // In facets: so long may borders be, where these have an aspect. Halves are not too short then.
 constexpr double kLongBorder = 1.5;
+// Of a side: corners that are nearer to its middle make a flat facet.
+constexpr double kFlat = 0.05;
 // Of the distance of a facet: sides that are farther than this are worth dividing.
 constexpr double kLongSide = 0.4;
 
@@ -264,19 +266,32 @@ class FacetBuilder {
     return most;
   }
 
+  Vec2 uv_of(const Face& face, std::size_t k) const {
+    return corners_[index(face.corner[k % 3])].uv;
+  }
+
+  Vec2 middle_of(const Face& face) const {
+    return (1.0 / 3) * (uv_of(face, 0) + uv_of(face, 1) + uv_of(face, 2));
+  }
+
   // The middle of the side inside of the face that is farthest from the surface; or of the facet,
-  // if only its borders are far.
-  Vec2 dividing_point(const Face& face, double distance) const {
+  // if only its borders are far. Where three corners are about on a line, as those of a border that
+  // is nearly straight, that middle is beside the third: the middle of the facet across the side
+  // takes the flat one away.
+  Vec2 dividing_point(const ConstrainedDelaunay& mesh, const Face& face, double distance) const {
     double most = kLongSide * distance;
-    const auto uv = [&](std::size_t k) { return corners_[index(face.corner[k % 3])].uv; };
-    Vec2 best = (1.0 / 3) * (uv(0) + uv(1) + uv(2));
+    Vec2 best = middle_of(face);
     for (std::size_t k = 0; k < 3; ++k) {
       if (face.fixed[k]) continue;
       const int a = face.corner[(k + 1) % 3], b = face.corner[(k + 2) % 3];
       const double far = distance_of({a, b, b});
       if (far <= most) continue;
       most = far;
-      best = 0.5 * (uv(k + 1) + uv(k + 2));
+      const Vec2 from = scaled(uv_of(face, k + 1)), to = scaled(uv_of(face, k + 2));
+      const bool flat = norm(scaled(uv_of(face, k)) - 0.5 * (from + to)) < kFlat * norm(to - from);
+      const Face& across = mesh.faces()[index(face.beside[k])];
+      best = flat && across.inside ? middle_of(across)
+                                   : 0.5 * (uv_of(face, k + 1) + uv_of(face, k + 2));
     }
     return best;
   }
@@ -292,7 +307,7 @@ class FacetBuilder {
       const double far = distance_of(face.corner);
       if (far <= allowed(moved_of(face.corner)) || is_small(face.corner) || is_flat(face.corner))
         continue;
-      const Vec2 uv = dividing_point(face, far);
+      const Vec2 uv = dividing_point(mesh, face, far);
       // Rounding may put it a little beside the face.
       const int found = mesh.locate(scaled(uv));
       const int holder = mesh.faces()[index(found)].inside ? found : number;
@@ -300,6 +315,7 @@ class FacetBuilder {
                               [&](int corner) { return mesh.point(corner) == scaled(uv); }))
         continue;
       const int made = add_inner(mesh, uv, holder);
+      if (mesh.faces()[index(number)].corner == face.corner) open.push_back(number);
       mesh.for_each_face_at(made, [&](int changed) { open.push_back(changed); });
     }
   }

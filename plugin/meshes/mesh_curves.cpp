@@ -20,6 +20,16 @@ using reports::Json;
 
 constexpr double kEdgeTolerance = 1e-7;  // of edges that are made, model units
 
+// Both ends, and the points between that are not in one place with the one before: meshes that are
+// about the same meet in polylines with sides of rounding, of which there is no curve.
+std::vector<Vec3> apart(const std::vector<Vec3>& points) {
+  std::vector<Vec3> kept{points.front()};
+  for (const Vec3& p : points)
+    if (distance(p, kept.back()) > kEdgeTolerance) kept.push_back(p);
+  if (kept.size() > 1) kept.back() = points.back();
+  return kept;
+}
+
 Handle(Geom_BSplineCurve) polygon_curve(const std::vector<Vec3>& points) {
   const auto count = static_cast<int>(points.size());
   TColgp_Array1OfPnt poles(1, count);
@@ -86,11 +96,16 @@ occt::PlaneSection section_of(const MeshCurves& found) {
     return static_cast<int>(section.nodes.size()) - 1;
   };
   for (const MeshPolyline& polyline : found.curves) {
+    const std::vector<Vec3> points = apart(polyline.points);
+    if (points.size() < 2) {
+      section.points.push_back(static_cast<std::size_t>(node(points.front())));
+      continue;
+    }
     occt::SectionCurve curve;
     curve.face = 0;
-    curve.curve = polygon_curve(polyline.points);
+    curve.curve = polygon_curve(points);
     curve.range = {curve.curve->FirstParameter(), curve.curve->LastParameter()};
-    curve.samples = polyline.points;
+    curve.samples = points;
     curve.closed = polyline.closed;
     curve.length = polyline.length;
     curve.tolerance = kEdgeTolerance;
