@@ -122,7 +122,15 @@ Candidate named_side(const TopoDS_Face& face, const BezierSurface& surface, Surf
 Candidate named_edge(const TopoDS_Face& face, const TopoDS_Edge& edge, const std::string& name) {
   for (const TopoDS_Edge& own : usable_edges(face))
     if (own.IsSame(edge)) return edge_candidate(own, forward(face));
-  throw BadModel("the edge is none that a strip can start from on face " + name);
+  if (BRep_Tool::Degenerated(edge))
+    throw BadModel("the edge has no length: a strip on face " + name +
+                   " cannot start from a point");
+  if (is_seam(edge, face))
+    throw BadModel("the edge is the seam of face " + name +
+                   ", where its surface closes on itself: a strip starts from an edge with nothing "
+                   "of the face beyond it");
+  throw BadModel("the edge does not bound face " + name +
+                 ": a strip starts from one of the edges of its face");
 }
 
 /// Edges along a side that can be taken whole.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/blending/edge_chain.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <BRep_Tool.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 
 namespace blossom::occt {
@@ -20,10 +22,17 @@ const char* cause_of(EdgeKind kind) {
     case EdgeKind::Smooth: return "its faces go on smoothly across it, nothing is to be rounded";
     case EdgeKind::Mixed: return "it is convex, concave or smooth in turns";
     case EdgeKind::Seam: return "it is the seam of one face";
-    case EdgeKind::Open: return "it bounds one face only";
+    case EdgeKind::Open: return "it bounds one face only: edges of closed solids are rounded";
     case EdgeKind::Degenerate: return "it is a point";
     default: return "more than two faces use it, or two in one direction";
   }
+}
+
+int count_of_uses(const BodyEdges& body, int edge) {
+  int count = 0;
+  for (int face = 1; face <= body.face_count(); ++face)
+    count += static_cast<int>(std::ranges::count(body.uses(face), edge, &EdgeUseInFace::edge));
+  return count;
 }
 
 EdgeKind kind_of(const BodyEdges& body, int edge) {
@@ -33,7 +42,7 @@ EdgeKind kind_of(const BodyEdges& body, int edge) {
     double angle = 0;
     return edge_kind(body, edge, angle);
   } catch (const BadModel&) {
-    return EdgeKind::Crowded;
+    return count_of_uses(body, edge) < 2 ? EdgeKind::Open : EdgeKind::Crowded;
   }
 }
 
@@ -51,11 +60,26 @@ bool is_concave(const BodyEdges& body, int edge) {
   throw FilletRefused({FilletFault::Edge, edge, cause_of(kind), std::nullopt, point, {}});
 }
 
+// As the body has it; no edge can end where it has none.
+std::vector<VertexSector> ring_at(const BodyEdges& body, const HalfEdge& half) {
+  try {
+    return body.round(half);
+  } catch (const BadModel& error) {
+    throw FilletRefused({FilletFault::Edge,
+                         half.edge,
+                         std::string("the faces at its end do not close there, ") + error.what() +
+                             ": edges of closed solids are rounded",
+                         std::nullopt,
+                         point_of(body.vertex(half)),
+                         {}});
+  }
+}
+
 // The one sharp edge in which another one goes on at an end; 0 if there is none, or several.
 int next_of(const BodyEdges& body, const HalfEdge& half, bool concave) {
   const Vec3 back = -direction_at(body, half);
   int found = 0;
-  const std::vector<VertexSector> ring = body.round(half);
+  const std::vector<VertexSector> ring = ring_at(body, half);
   for (std::size_t i = 1; i < ring.size(); ++i) {
     const HalfEdge& other = ring[i].half;
     if (other.edge == half.edge) continue;

@@ -16,6 +16,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
@@ -129,6 +130,56 @@ TEST(FilletAtAnApex, StripEndsInTheCone) {
                       });
 
   expect_change(fillet(shape, edges, {.radius = r}), -less, 1e-6);
+}
+
+// A slanting edge of it: towards the apex the ball turns round in the cone until it leaves it over
+// the other slanting edge, and what is above it goes.
+TEST(FilletAtAnApex, StripOfTheConeEndsInThePlaneBehind) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeCone(50, 0, 120, std::numbers::pi / 2).Shape();
+  const std::vector<int> edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+    return std::abs(at[1]) < 1e-9 && std::abs(at[2] - 60) < 1e-9 && at[0] > 1;
+  });
+  ASSERT_EQ(edges.size(), 1U);
+
+  const FilletResult made = fillet(shape, edges, {.radius = 10});
+
+  for (const FilletRefusal& each : made.refused) ADD_FAILURE() << each.text();
+  for (const std::string& each : made.notes) ADD_FAILURE() << each;
+  ASSERT_EQ(made.solids.size(), 1U);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
+  EXPECT_EQ(made.solids.front().faces.size(), 5U);
+}
+
+// Three quarters of a ball: in its notch the poles would come to lie inside of the ball's face.
+TEST(FilletInTheNotchOfABall, EndsInPlanesBeforeThePolesAndSaysWhy) {
+  const double half = std::numbers::pi / 2;
+  const TopoDS_Shape shape = BRepPrimAPI_MakeSphere(10, -half, half, 3 * half).Shape();
+  const std::vector<int> edges =
+      edges_where(shape, EdgeKind::Concave, [](const Vec3&) { return true; });
+  ASSERT_EQ(edges.size(), 1U);
+
+  const FilletResult made = fillet(shape, edges, {.radius = 1});
+
+  for (const FilletRefusal& each : made.refused) ADD_FAILURE() << each.text();
+  ASSERT_EQ(made.solids.size(), 1U);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
+  const double more = made.solids.front().volume - made.volume_before;
+  EXPECT_LT(more, 20 * kCut);
+  EXPECT_GT(more, 16 * kCut);
+  ASSERT_EQ(made.notes.size(), 2U);
+  for (const std::string& each : made.notes)
+    EXPECT_NE(each.find("it ends in a pole of face"), std::string::npos) << each;
+}
+
+TEST(FilletOfAShell, SaysThatItsEdgesAreOfNoSolid) {
+  const TopoDS_Shape shell = BRepPrimAPI_MakeBox(10, 10, 10).Shell();
+
+  const FilletResult made = fillet(shell, {1}, {.radius = 1});
+
+  EXPECT_TRUE(made.solids.empty());
+  ASSERT_EQ(made.refused.size(), 1U);
+  EXPECT_NE(made.refused.front().text().find("it belongs to no solid"), std::string::npos)
+      << made.refused.front().text();
 }
 
 // A triangular rib of height 15 and length 20 on a plate: at the foot of its slope the ball

@@ -227,7 +227,7 @@ TEST(FaceStrip, SaysWhyThereIsNone) {
   EXPECT_EQ(message(cylinder(0, 2 * kPi), square(0), {.start_a = {.side = SurfaceSide::UMin}}),
             "face a has no edge along umin, it has vmin, vmax");
   EXPECT_EQ(message(square(0), square(4), {.start_a = {.edge = first_edge(square(4))}}),
-            "the edge is none that a strip can start from on face a");
+            "the edge does not bound face a: a strip starts from one of the edges of its face");
   EXPECT_THROW(strip_between(square(0), square(1), {}), InvalidInput);
 }
 

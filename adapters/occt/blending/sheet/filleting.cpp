@@ -94,7 +94,13 @@ SolidPart& Filleting::part_of(int edge) {
   const auto found = std::ranges::find_if(
       parts_, [face](const SolidPart& part) { return part.faces.count(face) > 0; });
   if (found == parts_.end())
-    throw FilletRefused({FilletFault::Edge, edge, "it belongs to no solid", {}, {}, {}});
+    throw FilletRefused({FilletFault::Edge,
+                         edge,
+                         "it belongs to no solid, its faces are those of a shell alone: edges of "
+                         "closed solids are rounded",
+                         {},
+                         {},
+                         {}});
   if (!found->inside_out) found->inside_out = is_inside_out(*found);
   if (*found->inside_out)
     throw FilletRefused({FilletFault::Edge, edge, "its solid is turned inside out", {}, {}, {}});
@@ -273,6 +279,7 @@ std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges, double size
   std::vector<FilletedSolid> all;
   notes_.clear();
   gone_on_.clear();
+  for (const auto& [edge, concave] : edges) part_of(edge);  // refuses edges of no solid
   for (SolidPart& part : parts_) {
     FilletEdges own;
     for (const auto& [edge, concave] : edges)

@@ -8,6 +8,7 @@
 
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
+#include <TopExp.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/points.h"
@@ -21,6 +22,14 @@ namespace {
 
 constexpr int kMostFaces = 16;   // that a strip may cross at its end
 constexpr double kSameW = 1e-9;  // of the way across the strip
+
+// Whether the surface of a face has a pole in a vertex. What fills a notch there leaves the face
+// all round it, with the pole inside.
+bool has_pole_at(const BodyEdges& body, int face, const TopoDS_Vertex& vertex) {
+  return std::ranges::any_of(body.uses(face), [&](const EdgeUseInFace& use) {
+    return use.coedge->degenerated && TopExp::FirstVertex(body.edge(use.edge)).IsSame(vertex);
+  });
+}
 
 }  // namespace
 
@@ -58,6 +67,8 @@ bool BlendSheet::turns_back(const Ring& ring, bool on_left) {
   const VertexSector& sector = on_left ? ring.front() : ring.back();
   const std::size_t side = on_left ? left_side(half) : right_side(half);
   if (ring.size() < 3 || strip_of(half).strip.contacts[side].face != sector.face) return false;
+  // In a pole there is no way across the edge to compare with, and the contact turns round it.
+  if (has_pole_at(body_, sector.face, body_.vertex(half))) return false;
   double first = 0, last = 0;
   BRep_Tool::Range(body_.edge(half.edge), first, last);
   const BodyEdges::Corner corner =
@@ -106,6 +117,10 @@ BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyon
 void BlendSheet::cap_face(const HalfEdge& half, const Interval& part, int face,
                           const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
   const RolledStrip& strip = strip_of(half).strip;
+  if (strip.concave && has_pole_at(body_, face, body_.vertex(half)))
+    refuse(half, FilletFault::End,
+           "it ends in a pole of face " + std::to_string(face) +
+               ", which would have to close round it: this cannot be built yet");
   const double reach =
       kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(from), BRep_Tool::Tolerance(to)});
   const auto curve =
