@@ -301,10 +301,6 @@ TopoDS_Vertex BlendSheet::new_vertex(const Vec3& point) {
   return made_.back();
 }
 
-bool BlendSheet::is_seam_crossing(const ContactCrossing& crossing) const {
-  return body_.use(crossing.use->edge, !crossing.use->forward).face == crossing.use->face;
-}
-
 // Where a strip ends that another one goes on from: on the edge that the contact goes over there;
 // a new one inside of a face.
 TopoDS_Vertex BlendSheet::joint_vertex(const PlacedStrip& of, std::size_t side, double t,
@@ -316,7 +312,7 @@ TopoDS_Vertex BlendSheet::joint_vertex(const PlacedStrip& of, std::size_t side, 
     for (const ContactCrossing& each : contact_crossings(body_, of.strip, side, filleted_)) {
       const double off = distance(contact_point(of.strip, side, each.t), point);
       const double reach = kSamePlace * std::max(tolerance_, each.use->coedge->tolerance);
-      if (off <= reach && is_seam_crossing(each)) crossing = each;
+      if (off <= reach && is_seam_at(body_, each)) crossing = each;
     }
   if (!crossing) return new_vertex(point);
   const TopoDS_Vertex vertex = cut_edge(*crossing, face);
@@ -372,6 +368,12 @@ void BlendSheet::join_section(const EndPlace& before, const EndPlace& after) {
 // edges are too near.
 void BlendSheet::cut_seams(PlacedStrip& of, std::size_t side) {
   const Interval between{of.ends[0].t[side], of.ends[1].t[side]};
+  const std::vector<Notch> round = notches(body_, of.strip, side, filleted_);
+  const auto is_of_notch = [&](const ContactCrossing& each) {
+    return std::ranges::any_of(round, [&](const Notch& notch) {
+      return notch.has(each.t) && notch.leaves.t > between.from && notch.enters.t < between.to;
+    });
+  };
   const RolledContact& contact = of.strip.contacts[side];
   for (const ContactCrossing& each : contact_crossings(body_, of.strip, side, filleted_)) {
     const double speed = contact.curve->DN(each.t, 1).Magnitude();
@@ -379,7 +381,8 @@ void BlendSheet::cut_seams(PlacedStrip& of, std::size_t side) {
     if (each.t <= between.from + room || each.t >= between.to - room) continue;
     if (each.use->edge == of.ends[0].over[side] || each.use->edge == of.ends[1].over[side])
       continue;
-    if (!is_seam_crossing(each))
+    if (is_of_notch(each)) continue;
+    if (!is_seam_at(body_, each))
       throw FilletRefused({FilletFault::LeavesFace,
                            of.strip.edge,
                            contact_words() + " on face " + std::to_string(contact.face) +
@@ -392,6 +395,7 @@ void BlendSheet::cut_seams(PlacedStrip& of, std::size_t side) {
     if (!seams.empty() && each.t - seams.back().t <= room) continue;  // its other use
     seams.push_back({each.t, cut_edge(each, body_.face(contact.face))});
   }
+  cut_notches(of, side, round);
 }
 
 // The edges of one border of a strip.
@@ -401,6 +405,10 @@ void BlendSheet::add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patc
   cuts.insert(cuts.begin(), {of.ends[0].t[side], of.ends[0].vertices[side]});
   cuts.push_back({of.ends[1].t[side], of.ends[1].vertices[side]});
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    for (const PathEdge& each : cuts[i].round)
+      patch.edges.push_back(TopoDS::Edge(
+          each.edge.Oriented(each.forward == (side == 0) ? TopAbs_REVERSED : TopAbs_FORWARD)));
+    if (!cuts[i].round.empty()) continue;
     const Interval range{cuts[i].t, cuts[i + 1].t};
     const TopoDS_Edge edge = edge_on(contact.curve, range, cuts[i].vertex, cuts[i + 1].vertex);
     add_chart(edge, of.strip.contact_line(contact.w), patch.face);

@@ -30,6 +30,7 @@
 #include "adapters/occt/blending/sheet/kept_edges.h"
 #include "adapters/occt/blending/strips/ball_walk.h"
 #include "adapters/occt/blending/strips/end_curves.h"
+#include "adapters/occt/blending/strips/notches.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/splitting/edge_splits.h"
 
@@ -47,13 +48,15 @@ struct StripEnd {
 struct ContactCut {
   double t = 0;
   TopoDS_Vertex vertex;
+  std::vector<PathEdge> round{};  ///< to the next cut over other faces; none: along the contact
 };
 
 struct PlacedStrip {
   RolledStrip strip;
-  double inside = 0;                             ///< a t between the ends
-  std::array<StripEnd, 2> ends;                  ///< at the least and the largest t
-  std::array<std::vector<ContactCut>, 2> seams;  ///< that contacts go over between the ends, by t
+  double inside = 0;             ///< a t between the ends
+  std::array<StripEnd, 2> ends;  ///< at the least and the largest t
+  /// Seams and notches that contacts go over between the ends, by t.
+  std::array<std::vector<ContactCut>, 2> seams;
 };
 
 /// A new face, or what a face of the body gets: edges as the outward face uses them.
@@ -177,7 +180,6 @@ class BlendSheet {
                                 const HalfEdge& cut) const;
   TopoDS_Vertex cut_edge(const HalfEdge& cut, double parameter, const TopoDS_Face& asking);
   TopoDS_Vertex cut_edge(const ContactCrossing& crossing, const TopoDS_Face& asking);
-  bool is_seam_crossing(const ContactCrossing& crossing) const;
   void join_section(const EndPlace& before, const EndPlace& after);
   TopoDS_Vertex new_vertex(const Vec3& point);
   Interval part_near(const HalfEdge& half, const std::array<double, 2>& t);
@@ -185,6 +187,22 @@ class BlendSheet {
   void cap_face(const HalfEdge& half, const Interval& part, int face, const TopoDS_Vertex& from,
                 const TopoDS_Vertex& to);
   const EdgeUseInFace& arriving(const Ring& ring, std::size_t sector) const;
+  /// The border of a strip on a wall of a notch, and the edge over which it leaves the wall; null:
+  /// it comes out of the notch.
+  struct WallWay {
+    const EdgeUseInFace* use = nullptr;
+    EdgeThrough through;
+    EndCurve curve;
+  };
+  std::optional<WallWay> wall_way(const PlacedStrip& of, const Interval& part, int face,
+                                  int entered, const TopoDS_Vertex& from,
+                                  const TopoDS_Vertex* enters);
+  TopoDS_Vertex cut_wall(const PlacedStrip& of, const WallWay& way, int face);
+  std::vector<PathEdge> notch_path(const PlacedStrip& of, std::size_t side, const Notch& notch,
+                                   const TopoDS_Vertex& leaves, const TopoDS_Vertex& enters);
+  PathEdge wall_edge(const PlacedStrip& of, std::size_t side, int face, const EndCurve& curve,
+                     const TopoDS_Vertex& from, const TopoDS_Vertex& to);
+  void cut_notches(PlacedStrip& of, std::size_t side, const std::vector<Notch>& all);
   void cut_seams(PlacedStrip& of, std::size_t side);
   void add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patch);
   void finish(PlacedStrip& of);

@@ -39,12 +39,19 @@ BlendSheet::Cut BlendSheet::end_cut(const HalfEdge& half, std::size_t side, int&
   const PlacedStrip& of = strip_of(half);
   const RolledContact& contact = of.strip.contacts[side];
   const double outwards = is_low_end(half) ? -1 : 1;
+  const Interval& beside = of.strip.edge_range;
+  const std::vector<Notch> round = notches(body_, of.strip, side, filleted_);
+  const auto is_of_notch = [&](const ContactCrossing& each) {
+    return std::ranges::any_of(round, [&](const Notch& notch) {
+      return notch.has(each.t) && notch.leaves.t > beside.from && notch.enters.t < beside.to;
+    });
+  };
   std::optional<ContactCrossing> best;
   for (const ContactCrossing& each : contact_crossings(body_, of.strip, side, filleted_)) {
     const double far = outwards * (each.t - of.inside);
     const double speed = contact.curve->DN(each.t, 1).Magnitude();
     const double room = kSamePlace * std::max(tolerance_, each.use->coedge->tolerance);
-    if (far * speed < room || is_seam_crossing(each)) continue;
+    if (far * speed < room || is_seam_at(body_, each) || is_of_notch(each)) continue;
     if (!best || far < outwards * (best->t - of.inside)) best = each;
   }
   if (!best && !lies_inside(body_, contact, of.inside))

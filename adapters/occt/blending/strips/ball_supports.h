@@ -37,7 +37,8 @@ struct BallPlace {
   std::array<int, 2> faces{};
   std::array<Vec2, 2> charts;  ///< of the contacts, in the parameters of the faces' surfaces
   Vec3 centre;
-  Vec3 along;  ///< the way it goes, unit; the first face is to the left of it
+  Vec3 along;            ///< the way it goes, unit; the first face is to the left of it
+  bool as_loop = false;  ///< whether a way that comes back to it is wanted whole
 };
 
 /// The same for two faces that need not have an edge in common; `middle` is the ball's centre.

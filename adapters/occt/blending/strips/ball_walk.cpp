@@ -13,7 +13,7 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/blending/strips/run_profiles.h"
+#include "adapters/occt/blending/strips/ball_walker.h"
 
 namespace blossom::occt {
 namespace {
@@ -28,84 +28,15 @@ constexpr double kEndRadii = 8;
 // Strips for each edge of a run before a walk counts as lost.
 constexpr std::size_t kMostStrips = 16;
 
-// Of a strip's two contacts that to the left of the way.
-std::size_t contact_at(const WalkedStrip& of, std::size_t walking_side) {
-  return of.forward ? walking_side : 1 - walking_side;
-}
-
-// Where the ball leaves a strip for the next one.
-struct Exit {
-  double t = 0;
-  std::array<std::optional<ContactCrossing>, 2> over{};  // by walking side
-  bool ends = false;                                     // the walk does, and nothing follows
-  int sharp_edge = 0;                                    // at which it ends, if at one
-};
-
-class Walker {
- public:
-  Walker(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options)
-      : body_(body),
-        run_(run),
-        options_(options),
-        profiles_(body, run, options.fillet),
-        made_(run.edges.size()) {}
-
-  BallWalk walk();
-  /// The place of the run after whose edge it has to be cut, for a walk that came to no end: there
-  /// a sharp edge begins in its vertex, which the ball cannot go over.
-  const std::optional<std::size_t>& cut() const { return cut_; }
-
- private:
-  using Part = std::vector<std::pair<WalkJoint, WalkedStrip>>;
-
-  std::array<int, 2> faces_of(std::size_t place) const;
-  const WalkedStrip& strip_at(std::size_t place);
-  std::size_t start();
-  bool goes_beside(const WalkedStrip& of) const;
-  Part way(WalkedStrip& from, std::size_t place, int step);
-  Exit exit(WalkedStrip& of, std::size_t place, int step, double from,
-            const std::array<int, 2>& entered);
-  std::optional<ContactCrossing> first_crossing(const WalkedStrip& of, std::size_t side,
-                                                double from, int ahead, int entered) const;
-  bool is_smooth(const ContactCrossing& crossing) const;
-  std::array<int, 2> faces_behind(const WalkedStrip& of, const Exit& exit) const;
-  std::optional<std::size_t> place_with(const std::array<int, 2>& faces, std::size_t place,
-                                        int step) const;
-  WalkedStrip pair_strip(const WalkedStrip& of, const Exit& exit, const std::array<int, 2>& faces,
-                         std::size_t place);
-  bool grow(WalkedStrip& of, bool at_start) const;
-  bool grow_past(WalkedStrip& of, double t, int ahead) const;
-  Exit over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
-                  const std::optional<ContactCrossing>& other) const;
-  bool reaches(WalkedStrip& next, const Vec3& centre, double reach, double& t) const;
-  double reach_at(const Exit& exit) const;
-  std::pair<WalkedStrip, double> following(const WalkedStrip& of, const Exit& exit,
-                                           std::size_t& place, int step);
-  BallWalk round(WalkedStrip strip) const;
-  std::optional<std::size_t> joint_at(int edge, std::size_t place, int step) const;
-  void check_end(const WalkedStrip& of, std::size_t place, int step, double t) const;
-  bool is_shared(int step) const;
-  [[noreturn]] void refuse(FilletFault fault, std::size_t place, const std::string& cause,
-                           const Vec3& centre) const {
-    throw FilletRefused({fault, run_.edges[place].edge, cause, std::nullopt, centre, {}});
-  }
-  std::optional<std::size_t> next_place(std::size_t place, int step) const;
-
-  const BodyEdges& body_;
-  const EdgeRun& run_;
-  const WalkOptions& options_;
-  RunProfiles profiles_;
-  std::vector<std::optional<WalkedStrip>> made_;  // by place in the run
-  std::optional<std::size_t> cut_;
-};
+}  // namespace
 
 // To the left and right of the way.
-std::array<int, 2> Walker::faces_of(std::size_t place) const {
+std::array<int, 2> BallWalker::faces_of(std::size_t place) const {
   const RunEdge& edge = run_.edges[place];
   return {body_.use(edge.edge, edge.forward).face, body_.use(edge.edge, !edge.forward).face};
 }
 
-const WalkedStrip& Walker::strip_at(std::size_t place) {
+const WalkedStrip& BallWalker::strip_at(std::size_t place) {
   if (made_[place]) return *made_[place];
   options_.tick();
   const RunEdge& edge = run_.edges[place];
@@ -117,29 +48,7 @@ const WalkedStrip& Walker::strip_at(std::size_t place) {
   return *made_[place];
 }
 
-// Whether the ball touches both faces where they are, beside the middle of the strip's edge.
-bool Walker::goes_beside(const WalkedStrip& of) const {
-  return std::ranges::all_of(of.strip.contacts, [&](const RolledContact& contact) {
-    return lies_inside(body_, contact, of.inside);
-  });
-}
-
-// The first edge beside which there is a ball; where contacts run along borders, any edge.
-std::size_t Walker::start() {
-  std::optional<std::size_t> any;
-  std::optional<FilletRefused> refused;
-  for (std::size_t i = 0; i < run_.edges.size(); ++i) try {
-      const WalkedStrip& of = strip_at(i);
-      if (goes_beside(of)) return i;
-      if (!any) any = i;
-    } catch (const FilletRefused& why) {
-      if (!refused) refused = why;
-    }
-  if (!any) throw FilletRefused(*refused);
-  return *any;
-}
-
-std::optional<std::size_t> Walker::next_place(std::size_t place, int step) const {
+std::optional<std::size_t> BallWalker::next_place(std::size_t place, int step) const {
   const std::size_t count = run_.edges.size();
   if (step > 0 ? place + 1 < count : place > 0) return step > 0 ? place + 1 : place - 1;
   if (!run_.closed) return std::nullopt;
@@ -147,7 +56,7 @@ std::optional<std::size_t> Walker::next_place(std::size_t place, int step) const
 }
 
 // Whether other fillets end where the run does: they, not borders of faces, end its strips.
-bool Walker::is_shared(int step) const {
+bool BallWalker::is_shared(int step) const {
   const HalfEdge half = step > 0 ? run_.last() : run_.first();
   const auto ring = body_.round(half);
   return std::ranges::any_of(ring, [&](const VertexSector& each) {
@@ -155,18 +64,42 @@ bool Walker::is_shared(int step) const {
   });
 }
 
-bool Walker::is_smooth(const ContactCrossing& crossing) const {
-  const BodyEdges::Corner a = body_.corner(*crossing.use, crossing.edge_parameter);
-  const BodyEdges::Corner b =
-      body_.corner(body_.use(crossing.use->edge, !crossing.use->forward), crossing.edge_parameter);
-  return std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal)) < kSmoothEdge;
+// Whether a ball is past both ends of an open run.
+bool BallWalker::is_past_end(const Vec3& centre) const {
+  double least = 0;
+  bool past = true;
+  for (std::size_t i = 0; i < run_.edges.size(); ++i) {
+    const RunEdge& each = run_.edges[i];
+    Interval range;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(body_.edge(each.edge), range.from, range.to);
+    const double x = nearest_on(curve, range, centre);
+    const double away = distance(vec(curve->Value(x).XYZ()), centre);
+    if (i > 0 && away >= least) continue;
+    least = away;
+    past = !run_.closed &&
+           ((i == 0 && x == (each.forward ? range.from : range.to)) ||
+            (i + 1 == run_.edges.size() && x == (each.forward ? range.to : range.from)));
+  }
+  return past;
+}
+
+// The crossings at notches that are beside the run: the ball rolls over them.
+std::vector<Notch> BallWalker::notches_beside(const WalkedStrip& of, std::size_t contact) const {
+  std::vector<Notch> all = notches(body_, of.strip, contact, options_.filleted);
+  std::erase_if(all, [&](const Notch& each) {
+    return is_past_end(vec(of.strip.spine->Value(each.leaves.t).XYZ())) ||
+           is_past_end(vec(of.strip.spine->Value(each.enters.t).XYZ()));
+  });
+  return all;
 }
 
 // Seams are none, as the face is the same behind them.
-std::optional<ContactCrossing> Walker::first_crossing(const WalkedStrip& of, std::size_t side,
-                                                      double from, int ahead, int entered) const {
+std::optional<ContactCrossing> BallWalker::first_crossing(const WalkedStrip& of, std::size_t side,
+                                                          double from, int ahead,
+                                                          int entered) const {
   const std::size_t contact = contact_at(of, side);
   std::optional<ContactCrossing> best;
+  const std::vector<Notch> round = notches_beside(of, contact);
   for (const ContactCrossing& each :
        contact_crossings(body_, of.strip, contact, options_.filleted)) {
     const double far = ahead * (each.t - from);
@@ -174,13 +107,14 @@ std::optional<ContactCrossing> Walker::first_crossing(const WalkedStrip& of, std
     const double room =
         kSamePlace * std::max(options_.tolerance, each.use->coedge->tolerance) / speed;
     if (far < (each.use->edge == entered ? room : 0)) continue;
-    if (body_.use(each.use->edge, !each.use->forward).face == each.use->face) continue;
+    if (is_seam_at(body_, each)) continue;
+    if (std::ranges::any_of(round, [&](const Notch& notch) { return notch.has(each.t); })) continue;
     if (!best || far < ahead * (best->t - from)) best = each;
   }
   return best;
 }
 
-double Walker::reach_at(const Exit& exit) const {
+double BallWalker::reach_at(const WalkExit& exit) const {
   double reach = options_.tolerance;
   for (const auto& each : exit.over) {
     if (!each) continue;
@@ -193,7 +127,7 @@ double Walker::reach_at(const Exit& exit) const {
 }
 
 // More of a strip past one of its ends, if there is.
-bool Walker::grow(WalkedStrip& of, bool at_start) const {
+bool BallWalker::grow(WalkedStrip& of, bool at_start) const {
   const Interval range = of.strip.range, most = of.strip.most;
   if (!of.strip.over || !(at_start ? most.from < range.from : most.to > range.to)) return false;
   const double more = (kGrowth - 1) * length(range);
@@ -204,7 +138,7 @@ bool Walker::grow(WalkedStrip& of, bool at_start) const {
 }
 
 // More of a strip than it has past the place where it ends, for the contact that goes on there.
-bool Walker::grow_past(WalkedStrip& of, double t, int ahead) const {
+bool BallWalker::grow_past(WalkedStrip& of, double t, int ahead) const {
   const RolledStrip& strip = of.strip;
   if (!strip.over) return false;
   double speed = 0;
@@ -223,12 +157,13 @@ bool Walker::grow_past(WalkedStrip& of, double t, int ahead) const {
 }
 
 // Both contacts at once, where they go over smooth edges at one place.
-Exit Walker::over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
-                        const std::optional<ContactCrossing>& other) const {
-  Exit found{first.t};
+WalkExit BallWalker::over_edges(const WalkedStrip& of, std::size_t side,
+                                const ContactCrossing& first,
+                                const std::optional<ContactCrossing>& other) const {
+  WalkExit found{first.t};
   found.over[side] = first;
-  if (!other || !is_smooth(*other)) return found;
-  Exit both = found;
+  if (!other || !is_smooth_at(body_, *other)) return found;
+  WalkExit both = found;
   both.over[1 - side] = other;
   const double speed =
       of.strip.contacts[contact_at(of, 1 - side)].curve->DN(found.t, 1).Magnitude();
@@ -236,8 +171,8 @@ Exit Walker::over_edges(const WalkedStrip& of, std::size_t side, const ContactCr
 }
 
 // Where the ball goes on over another face, or along the next edge of the same faces.
-Exit Walker::exit(WalkedStrip& of, std::size_t place, int step, double from,
-                  const std::array<int, 2>& entered) {
+WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double from,
+                          const std::array<int, 2>& entered) {
   const int ahead = of.forward ? step : -step;
   const auto is_nearer = [&](double a, double b) { return ahead * (a - b) < 0; };
   const auto next = next_place(place, step);
@@ -254,7 +189,7 @@ Exit Walker::exit(WalkedStrip& of, std::size_t place, int step, double from,
     }
     if ((goes_on_alike || ends_shared) && (!side || !is_nearer(first[*side]->t, edge_end)))
       return {edge_end, {}, ends_shared};
-    if (side && !is_smooth(*first[*side])) {
+    if (side && !is_smooth_at(body_, *first[*side])) {
       if (may_grow_past && !first[1 - *side] && grow_past(of, first[*side]->t, ahead)) {
         may_grow_past = false;
         continue;
@@ -267,7 +202,7 @@ Exit Walker::exit(WalkedStrip& of, std::size_t place, int step, double from,
   }
 }
 
-std::array<int, 2> Walker::faces_behind(const WalkedStrip& of, const Exit& exit) const {
+std::array<int, 2> BallWalker::faces_behind(const WalkedStrip& of, const WalkExit& exit) const {
   std::array<int, 2> faces{};
   for (const std::size_t side : {0U, 1U}) {
     faces[side] = of.strip.contacts[contact_at(of, side)].face;
@@ -278,8 +213,8 @@ std::array<int, 2> Walker::faces_behind(const WalkedStrip& of, const Exit& exit)
 }
 
 // The next place of the run whose edge has these faces.
-std::optional<std::size_t> Walker::place_with(const std::array<int, 2>& faces, std::size_t place,
-                                              int step) const {
+std::optional<std::size_t> BallWalker::place_with(const std::array<int, 2>& faces,
+                                                  std::size_t place, int step) const {
   auto next = next_place(place, step);
   for (std::size_t i = 0; next && i < run_.edges.size(); ++i) {
     if (faces_of(*next) == faces) return next;
@@ -288,14 +223,15 @@ std::optional<std::size_t> Walker::place_with(const std::array<int, 2>& faces, s
   return std::nullopt;
 }
 
-WalkedStrip Walker::pair_strip(const WalkedStrip& of, const Exit& exit,
-                               const std::array<int, 2>& faces, std::size_t place) {
+WalkedStrip BallWalker::pair_strip(const WalkedStrip& of, const WalkExit& exit,
+                                   const std::array<int, 2>& faces, std::size_t place,
+                                   bool as_loop) {
   options_.tick();
   gp_Pnt centre;
   gp_Vec rate;
   of.strip.spine->D1(exit.t, centre, rate);
   const double sign = of.forward ? 1 : -1;
-  BallPlace ball{faces, {}, vec(centre.XYZ()), sign * unit(vec(rate.XYZ()))};
+  BallPlace ball{faces, {}, vec(centre.XYZ()), sign * unit(vec(rate.XYZ())), as_loop};
   for (const std::size_t side : {0U, 1U}) {
     const gp_Pnt2d uv = of.strip.contacts[contact_at(of, side)].chart->Value(exit.t);
     ball.charts[side] = {uv.X(), uv.Y()};
@@ -316,7 +252,7 @@ WalkedStrip Walker::pair_strip(const WalkedStrip& of, const Exit& exit,
 }
 
 // Whether a strip has a ball at a centre, perhaps further on.
-bool Walker::reaches(WalkedStrip& next, const Vec3& centre, double reach, double& t) const {
+bool BallWalker::reaches(WalkedStrip& next, const Vec3& centre, double reach, double& t) const {
   const auto off = [&] {
     t = nearest_on(next.strip.spine, next.strip.range, centre);
     return distance(vec(next.strip.spine->Value(t).XYZ()), centre);
@@ -327,7 +263,7 @@ bool Walker::reaches(WalkedStrip& next, const Vec3& centre, double reach, double
 }
 
 // The place after which the run goes over a vertex of an edge, ahead of a place.
-std::optional<std::size_t> Walker::joint_at(int edge, std::size_t place, int step) const {
+std::optional<std::size_t> BallWalker::joint_at(int edge, std::size_t place, int step) const {
   const auto next = next_place(place, step);
   if (edge == 0 || !next || !profiles_.everywhere() || run_.edges.size() < 2) return std::nullopt;
   const RunEdge& last = run_.edges[place];
@@ -338,7 +274,7 @@ std::optional<std::size_t> Walker::joint_at(int edge, std::size_t place, int ste
 }
 
 // A walk that stops before the end of its run has left the edges.
-void Walker::check_end(const WalkedStrip& of, std::size_t place, int step, double t) const {
+void BallWalker::check_end(const WalkedStrip& of, std::size_t place, int step, double t) const {
   if (!next_place(place, step)) return;
   const Vec3 centre = vec(of.strip.spine->Value(t).XYZ());
   double least = 0;
@@ -361,8 +297,8 @@ void Walker::check_end(const WalkedStrip& of, std::size_t place, int step, doubl
 }
 
 // The strip that follows and where it begins.
-std::pair<WalkedStrip, double> Walker::following(const WalkedStrip& of, const Exit& exit,
-                                                 std::size_t& place, int step) {
+std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, const WalkExit& exit,
+                                                     std::size_t& place, int step) {
   const std::array<int, 2> faces = faces_behind(of, exit);
   const Vec3 centre = vec(of.strip.spine->Value(exit.t).XYZ());
   if (faces[0] == faces[1])
@@ -372,6 +308,11 @@ std::pair<WalkedStrip, double> Walker::following(const WalkedStrip& of, const Ex
            centre);
   const double reach = reach_at(exit);
   double t = 0;
+  if (run_.closed && is_start(faces)) {
+    WalkedStrip known = *behind_;
+    came_back_ = reaches(known, centre, reach, t);
+    if (came_back_) return {std::move(known), t};
+  }
   if (const auto there = place_with(faces, place, step)) {
     WalkedStrip known = strip_at(*there);
     if (!known.strip.closed && reaches(known, centre, reach, t)) {
@@ -387,14 +328,14 @@ std::pair<WalkedStrip, double> Walker::following(const WalkedStrip& of, const Ex
 
 // All strips that follow, and how they are joined; a closed run ends with the strip it started
 // from.
-Walker::Part Walker::way(WalkedStrip& from, std::size_t place, int step) {
+BallWalker::Part BallWalker::way(WalkedStrip& from, std::size_t place, int step) {
   Part part;
   WalkedStrip* of = &from;
   const std::size_t first = place;
   double t = from.inside;
   std::array<int, 2> entered{};
   for (std::size_t count = 0; count < kMostStrips * (run_.edges.size() + 1); ++count) {
-    const Exit found = exit(*of, place, step, t, entered);
+    const WalkExit found = exit(*of, place, step, t, entered);
     if (found.ends) {
       if (of->of_edge) cut_ = joint_at(found.sharp_edge, place, step);
       if (!cut_) check_end(*of, place, step, found.t);
@@ -406,14 +347,14 @@ Walker::Part Walker::way(WalkedStrip& from, std::size_t place, int step) {
     t = next.inside = begin;
     part.emplace_back(WalkJoint{found.t, begin, found.over}, std::move(next));
     of = &part.back().second;
-    if (run_.closed && of->of_edge && place == first) return part;
+    if (run_.closed && (behind_ ? came_back_ : of->of_edge && place == first)) return part;
   }
   refuse(FilletFault::LeavesFace, place, "the ball does not come to the end of the edges",
          vec(of->strip.spine->Value(t).XYZ()));
 }
 
 // A strip that comes back to where it began; only as long as the ball rolls round in it.
-BallWalk Walker::round(WalkedStrip strip) const {
+BallWalk BallWalker::round(WalkedStrip strip) const {
   const auto beside = [&](std::size_t place) {
     auto faces = faces_of(place);
     std::ranges::sort(faces);
@@ -421,7 +362,7 @@ BallWalk Walker::round(WalkedStrip strip) const {
     std::ranges::sort(own);
     return faces == own;
   };
-  for (std::size_t i = 0; i < run_.edges.size(); ++i)
+  for (std::size_t i = 0; i < run_.edges.size() && !behind_; ++i)
     if (!run_.closed || !beside(i))
       refuse(FilletFault::End, i, "the ball rolls round both faces, not only along the edge",
              vec(strip.strip.spine->Value(strip.inside).XYZ()));
@@ -432,9 +373,11 @@ BallWalk Walker::round(WalkedStrip strip) const {
   return walk;
 }
 
-BallWalk Walker::walk() {
+BallWalk BallWalker::walk() {
   const std::size_t place = start();
   WalkedStrip first = strip_at(place);
+  if (!goes_beside(first)) behind_ = start_behind(place);
+  if (behind_) first = *behind_;
   if (first.strip.closed) return round(std::move(first));
   BallWalk walk{run_, {}, {}};
   Part ahead = way(first, place, 1);
@@ -462,6 +405,8 @@ BallWalk Walker::walk() {
   return walk;
 }
 
+namespace {
+
 // The parts of a run before and after a cut; of a closed run the one that is left.
 std::vector<EdgeRun> parts_of(const EdgeRun& run, std::size_t cut) {
   const auto middle = run.edges.begin() + static_cast<std::ptrdiff_t>(cut) + 1;
@@ -476,7 +421,7 @@ std::vector<EdgeRun> parts_of(const EdgeRun& run, std::size_t cut) {
 
 std::vector<BallWalk> ball_walks(const BodyEdges& body, const EdgeRun& run,
                                  const WalkOptions& options) {
-  Walker walker(body, run, options);
+  BallWalker walker(body, run, options);
   BallWalk whole = walker.walk();
   if (!walker.cut()) return {std::move(whole)};
   std::vector<BallWalk> all;

@@ -34,6 +34,9 @@ constexpr int kFootSamples = 5;   // a side, of the strip's part whose feet boun
 constexpr double kRunEnd = 1e-9;  // of a run: meetings so near to its ends are those
 // Of a span, or of the way across a strip: how far surfaces go on past their borders.
 constexpr double kBeyondBorder = 0.125;
+// Of the way across a strip: where the curve is known to end at contacts, so that no curve on it
+// closes beyond them.
+constexpr double kBeyondContact = 1e-3;
 constexpr double kFootRoom = 0.25;  // of the feet's box: how far beyond it is searched
 // Pairs of cells. One curve between two known places takes some thousands; surfaces that touch
 // along each other take all there are, and have no curve to be found.
@@ -102,20 +105,22 @@ ParameterBox box_near(const std::vector<Vec3>& points, const TopoDS_Face& face) 
 
 // A part of a strip, from contact to contact and a little beyond, so that no curve on it ends at a
 // contact by a hair.
-BezierSurface strip_surface(const RolledStrip& strip, const Interval& part) {
+// beyond   of the way across
+BezierSurface strip_surface(const RolledStrip& strip, const Interval& part,
+                            double beyond = kBeyondBorder) {
   Interval across{strip.contacts[0].w, strip.contacts[1].w};
   if (across.from > across.to) std::swap(across.from, across.to);
   std::array<Interval, 2> bounds;
   strip.surface->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
   const Interval most = bounds[strip.along_u ? 1 : 0];
-  const double room = kBeyondBorder * length(across);
+  const double room = beyond * length(across);
   const bool goes_on = across.from - room < most.from || across.to + room > most.to;
   const bool turns = strip.along_u ? strip.surface->IsVPeriodic() : strip.surface->IsUPeriodic();
   if (turns || !goes_on) across = {across.from - room, across.to + room};
   const BezierSurface surface = bezier_surface(
       strip.surface, strip.along_u ? ParameterBox{part, across} : ParameterBox{across, part});
   if (turns || !goes_on) return surface;
-  const std::array parts{kBeyondBorder, kBeyondBorder}, none{0.0, 0.0};
+  const std::array parts{beyond, beyond}, none{0.0, 0.0};
   return strip.along_u ? extended(surface, none, parts) : extended(surface, parts, none);
 }
 
@@ -124,6 +129,26 @@ BezierSurface face_surface(const std::vector<Vec3>& points, const TopoDS_Face& f
   const BezierSurface surface = bezier_surface(BRep_Tool::Surface(face), box_near(points, face));
   const std::array parts{kBeyondBorder, kBeyondBorder};
   return extended(surface, parts, parts);
+}
+
+// A face's surface as far as its trims go, and a little beyond.
+BezierSurface trimmed_surface(const TopoDS_Face& face) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  const ParameterBox own = parameter_box(face);
+  std::array<Interval, 2> box{own.u, own.v}, bounds;
+  surface->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
+  for (std::size_t d = 0; d < 2; ++d) {
+    double room = kBeyondBorder * length(box[d]);
+    if (d == 0 ? surface->IsUPeriodic() : surface->IsVPeriodic()) {
+      room = std::clamp(0.5 * (length(bounds[d]) - length(box[d])), 0.0, room);
+      box[d] = widened(box[d], room);
+    } else {
+      box[d] = {std::max(box[d].from - room, bounds[d].from),
+                std::min(box[d].to + room, bounds[d].to)};
+    }
+  }
+  const std::array parts{kBeyondBorder, kBeyondBorder};
+  return extended(bezier_surface(surface, {box[0], box[1]}), parts, parts);
 }
 
 // Where a curve is nearest to a point.
@@ -258,6 +283,13 @@ std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& 
     }
   const BezierSurface on_face = face_surface(points, face);
   return best_curve(on_face, face, strip_surface(strip, part), strip.bare_face(), from, to, reach);
+}
+
+std::optional<EndCurve> curve_in_face(const RolledStrip& strip, const Interval& part,
+                                      const TopoDS_Face& face, const Vec3& from, const Vec3& to,
+                                      double reach) {
+  return best_curve(trimmed_surface(face), face, strip_surface(strip, part, kBeyondContact),
+                    strip.bare_face(), from, to, reach);
 }
 
 std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& part,

@@ -76,6 +76,11 @@ std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& 
                                       const TopoDS_Face& face, const Vec3& from, const Vec3& to,
                                       double reach);
 
+/// The same where the piece is known to lie inside of the face's trims.
+std::optional<EndCurve> curve_in_face(const RolledStrip& strip, const Interval& part,
+                                      const TopoDS_Face& face, const Vec3& from, const Vec3& to,
+                                      double reach);
+
 /// The same of two strips; `on_face` is on the other one.
 std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& part,
                                       const RolledStrip& other, const Interval& other_part,

@@ -382,6 +382,10 @@ RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge
   of->near_at = track.nearest(place.centre);
   of->turned = dot(track.at(of->near_at).centre_rate, place.along) < 0;
   of->find_valid(of->near_at);
+  if (place.as_loop && track.closed() && length(of->valid) == length(track.domain())) {
+    of->edge_range = of->valid;
+    return of->strip(of->turned ? Interval{-of->valid.to, -of->valid.from} : of->valid);
+  }
   const double beyond = kRollWidths * radius;
   const Interval range = common({of->near_at - beyond, of->near_at + beyond}, of->valid);
   of->edge_range = range;

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// One walk of a ball along a run of edges.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "adapters/occt/blending/body_edges.h"
+#include "adapters/occt/blending/edge_chain.h"
+#include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/strips/ball_walk.h"
+#include "adapters/occt/blending/strips/end_curves.h"
+#include "adapters/occt/blending/strips/notches.h"
+#include "adapters/occt/blending/strips/run_profiles.h"
+
+namespace blossom::occt {
+
+/// Of a strip's two contacts that to the left of the way.
+inline std::size_t contact_at(const WalkedStrip& of, std::size_t walking_side) {
+  return of.forward ? walking_side : 1 - walking_side;
+}
+
+/// Where the ball leaves a strip for the next one.
+struct WalkExit {
+  double t = 0;
+  std::array<std::optional<ContactCrossing>, 2> over{};  // by walking side
+  bool ends = false;                                     // the walk does, and nothing follows
+  int sharp_edge = 0;                                    // at which it ends, if at one
+};
+
+class BallWalker {
+ public:
+  BallWalker(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options)
+      : body_(body),
+        run_(run),
+        options_(options),
+        profiles_(body, run, options.fillet),
+        made_(run.edges.size()) {}
+
+  BallWalk walk();
+  /// The place of the run after whose edge it has to be cut, for a walk that came to no end: there
+  /// a sharp edge begins in its vertex, which the ball cannot go over.
+  const std::optional<std::size_t>& cut() const { return cut_; }
+
+ private:
+  using Part = std::vector<std::pair<WalkJoint, WalkedStrip>>;
+
+  std::array<int, 2> faces_of(std::size_t place) const;
+  const WalkedStrip& strip_at(std::size_t place);
+  std::size_t start();
+  bool goes_beside(const WalkedStrip& of) const;
+  std::optional<ContactCrossing> border_between(int face, const Vec2& from, const Vec2& to,
+                                                int entered) const;
+  std::optional<WalkedStrip> start_behind(std::size_t place);
+  bool is_start(const std::array<int, 2>& faces) const;
+  Part way(WalkedStrip& from, std::size_t place, int step);
+  WalkExit exit(WalkedStrip& of, std::size_t place, int step, double from,
+                const std::array<int, 2>& entered);
+  std::optional<ContactCrossing> first_crossing(const WalkedStrip& of, std::size_t side,
+                                                double from, int ahead, int entered) const;
+  bool is_past_end(const Vec3& centre) const;
+  std::vector<Notch> notches_beside(const WalkedStrip& of, std::size_t contact) const;
+  std::array<int, 2> faces_behind(const WalkedStrip& of, const WalkExit& exit) const;
+  std::optional<std::size_t> place_with(const std::array<int, 2>& faces, std::size_t place,
+                                        int step) const;
+  WalkedStrip pair_strip(const WalkedStrip& of, const WalkExit& exit,
+                         const std::array<int, 2>& faces, std::size_t place, bool as_loop = false);
+  bool grow(WalkedStrip& of, bool at_start) const;
+  bool grow_past(WalkedStrip& of, double t, int ahead) const;
+  WalkExit over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
+                      const std::optional<ContactCrossing>& other) const;
+  bool reaches(WalkedStrip& next, const Vec3& centre, double reach, double& t) const;
+  double reach_at(const WalkExit& exit) const;
+  std::pair<WalkedStrip, double> following(const WalkedStrip& of, const WalkExit& exit,
+                                           std::size_t& place, int step);
+  BallWalk round(WalkedStrip strip) const;
+  std::optional<std::size_t> joint_at(int edge, std::size_t place, int step) const;
+  void check_end(const WalkedStrip& of, std::size_t place, int step, double t) const;
+  bool is_shared(int step) const;
+  [[noreturn]] void refuse(FilletFault fault, std::size_t place, const std::string& cause,
+                           const Vec3& centre) const {
+    throw FilletRefused({fault, run_.edges[place].edge, cause, std::nullopt, centre, {}});
+  }
+  std::optional<std::size_t> next_place(std::size_t place, int step) const;
+
+  const BodyEdges& body_;
+  const EdgeRun& run_;
+  const WalkOptions& options_;
+  RunProfiles profiles_;
+  std::vector<std::optional<WalkedStrip>> made_;  // by place in the run
+  std::optional<WalkedStrip> behind_;             // where it starts, if beside no edge of the run
+  bool came_back_ = false;                        // to there
+  std::optional<std::size_t> cut_;
+};
+
+}  // namespace blossom::occt

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where a walk starts: beside an edge of the run, or behind smooth borders of its faces.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+
+#include "adapters/occt/base/points.h"
+#include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/strips/ball_walker.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr int kMostBehind = 16;  // faces that a contact may have gone over
+
+}  // namespace
+
+// Whether the ball touches both faces where they are, beside the middle of the strip's edge.
+bool BallWalker::goes_beside(const WalkedStrip& of) const {
+  return std::ranges::all_of(of.strip.contacts, [&](const RolledContact& contact) {
+    return lies_inside(body_, contact, of.inside);
+  });
+}
+
+// The first edge beside which there is a ball; where contacts run along borders, any edge.
+std::size_t BallWalker::start() {
+  std::optional<std::size_t> any;
+  std::optional<FilletRefused> refused;
+  for (std::size_t i = 0; i < run_.edges.size(); ++i) try {
+      const WalkedStrip& of = strip_at(i);
+      if (goes_beside(of)) return i;
+      if (!any) any = i;
+    } catch (const FilletRefused& why) {
+      if (!refused) refused = why;
+    }
+  if (!any) throw FilletRefused(*refused);
+  return *any;
+}
+
+// The edge over which the straight way in a face's chart leaves it first.
+std::optional<ContactCrossing> BallWalker::border_between(int face, const Vec2& from,
+                                                          const Vec2& to, int entered) const {
+  std::optional<ContactCrossing> first;
+  const PlanarCurve way = planar_line(from, to, {0, 1});
+  for (const EdgeUseInFace& use : body_.uses(face)) {
+    if (use.coedge->degenerated || use.edge == entered) continue;
+    if (options_.filleted.count(use.edge) > 0) continue;
+    if (body_.use(use.edge, !use.forward).face == face) continue;
+    for (const PlanarCrossing& each :
+         crossings(way, use.coedge->curve, std::max(options_.tolerance, use.coedge->tolerance))
+             .points)
+      if (!first || each.a < first->t) first = ContactCrossing{each.a, &use, each.b, true};
+  }
+  return first;
+}
+
+// The ball beside the middle of an edge, whose contacts lie beyond smooth borders of its faces: on
+// the faces behind them, one after the other. Nothing if a border is sharp, or none is met, or no
+// ball of one radius rolls.
+std::optional<WalkedStrip> BallWalker::start_behind(std::size_t place) {
+  if (!profiles_.everywhere()) return std::nullopt;
+  WalkedStrip of = strip_at(place);
+  const TopoDS_Edge edge = body_.edge(run_.edges[place].edge);
+  Interval range;
+  BRep_Tool::Range(edge, range.from, range.to);
+  std::array<Vec2, 2> from;
+  std::array<int, 2> entered{};
+  for (const std::size_t side : {0U, 1U}) {
+    const EdgeUseInFace& use =
+        body_.use(run_.edges[place].edge, (side == 0) == run_.edges[place].forward);
+    from[side] = point_at(use.coedge->curve, at(range, 0.5));
+  }
+  for (int count = 0; count < kMostBehind; ++count) {
+    WalkExit over{of.inside};
+    for (const std::size_t side : {0U, 1U}) {
+      const RolledContact& contact = of.strip.contacts[contact_at(of, side)];
+      if (lies_inside(body_, contact, of.inside)) continue;
+      const gp_Pnt2d uv = contact.chart->Value(of.inside);
+      const Vec2 scale = body_.trims(contact.face).scale;
+      const auto border = border_between(contact.face, from[side],
+                                         {uv.X() * scale[0], uv.Y() * scale[1]}, entered[side]);
+      if (!border || !is_smooth_at(body_, *border)) return std::nullopt;
+      over.over[side] = border;
+      const EdgeUseInFace& behind = body_.use(border->use->edge, !border->use->forward);
+      from[side] = point_at(behind.coedge->curve, border->edge_parameter);
+      entered[side] = border->use->edge;
+    }
+    if (!over.over[0] && !over.over[1]) return of;
+    const Vec3 centre = vec(of.strip.spine->Value(of.inside).XYZ());
+    of = pair_strip(of, over, faces_behind(of, over), place, run_.closed);
+    of.inside = nearest_on(of.strip.spine, of.strip.range, centre);
+  }
+  return std::nullopt;
+}
+
+// Whether faces to the left and right of the way are those on which the walk started.
+bool BallWalker::is_start(const std::array<int, 2>& faces) const {
+  return behind_ && behind_->strip.contacts[contact_at(*behind_, 0)].face == faces[0] &&
+         behind_->strip.contacts[contact_at(*behind_, 1)].face == faces[1];
+}
+
+}  // namespace blossom::occt
