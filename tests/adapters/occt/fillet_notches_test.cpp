@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -20,6 +21,7 @@
 #include <GC_MakeArcOfCircle.hxx>
 #include <gp_Ax2.hxx>
 
+#include "adapters/occt/blending/continuity.h"
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/soundness.h"
@@ -38,6 +40,10 @@ void expect_sound(const FilletResult& made) {
   EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
   for (const FaceSoundness& face : soundness(made.solids.front().solid).faces)
     for (const Problem& problem : face.problems) ADD_FAILURE() << problem.text();
+  for (const EdgeContinuity& edge : edge_continuity(made.solids.front().solid))
+    if (edge.found && edge.found->angle.value < 0.05) {
+      EXPECT_LT(edge.found->angle.value, 1e-6) << "radians, along edge " << edge.number;
+    }
 }
 
 int edge_with_middle(const TopoDS_Shape& shape, const Vec3& point) {
@@ -87,6 +93,30 @@ TEST(FilletOverAHole, IsCutByTheHolesWall) {
         (1 - kPi / 4) * each.radius * each.radius * 20 - cut_in_hole(each.radius, hole, each.y);
     EXPECT_NEAR(made.volume_before - made.solids.front().volume, removed, 1e-6);
   }
+}
+
+// The strip would have a hole of its own, which is not built.
+TEST(FilletOverAHole, IsRefusedWhereTheContactPassesIt) {
+  const TopoDS_Shape shape =
+      BRepAlgoAPI_Cut(block(), BRepPrimAPI_MakeCylinder(gp_Ax2({10, 1.5, -1}, {0, 0, 1}), 1, 12))
+          .Shape();
+  const FilletResult made = fillet(shape, {edge_with_middle(shape, {10, 0, 10})}, {.radius = 3});
+  EXPECT_TRUE(made.solids.empty());
+  ASSERT_EQ(made.refused.size(), 1U);
+}
+
+// The wall goes on down to the strip, which would leave the boss in the air.
+TEST(FilletUnderABoss, IsMetByTheBosssWall) {
+  const double radius = 3, y = 3.5;
+  const TopoDS_Shape shape =
+      BRepAlgoAPI_Fuse(block(), BRepPrimAPI_MakeCylinder(gp_Ax2({10, y, 9}, {0, 0, 1}), 1, 5))
+          .Shape();
+  const FilletResult made =
+      fillet(shape, {edge_with_middle(shape, {10, 0, 10})}, {.radius = radius});
+  expect_sound(made);
+  ASSERT_EQ(made.solids.size(), 1U);
+  const double removed = (1 - kPi / 4) * radius * radius * 20 - cut_in_hole(radius, 1, y);
+  EXPECT_NEAR(made.volume_before - made.solids.front().volume, removed, 1e-6);
 }
 
 TEST(FilletOverANotch, IsCutByAllOfItsWalls) {

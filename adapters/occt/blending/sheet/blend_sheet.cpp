@@ -126,9 +126,9 @@ void BlendSheet::add(const BallWalk& walk) {
   }
   if (walk.joints.size() == count) return;  // closed
   const HalfEdge start = walk.run.first(), end = walk.run.last();
-  // A strip on other faces than the edge's has no sections of its own through the edge's ends.
+  // A strip of another edge, or on other faces, has no sections of its own through the run's ends.
   const auto end_by_vertex = [&](std::size_t at, const HalfEdge& half, std::size_t low_or_high) {
-    if (walk.strips[at].of_edge) return;
+    if (walk.strips[at].of_edge && walk.strips[at].strip.edge == half.edge) return;
     RolledStrip& strip = strips_[first + at].strip;
     const double t = nearest_on(strip.spine, strip.range, point_of(body_.vertex(half)));
     (low_or_high == 0 ? strip.edge_range.from : strip.edge_range.to) = t;
@@ -368,14 +368,15 @@ void BlendSheet::join_section(const EndPlace& before, const EndPlace& after) {
 // edges are too near.
 void BlendSheet::cut_seams(PlacedStrip& of, std::size_t side) {
   const Interval between{of.ends[0].t[side], of.ends[1].t[side]};
-  const std::vector<Notch> round = notches(body_, of.strip, side, filleted_);
+  const std::vector<ContactCrossing> all = contact_crossings(body_, of.strip, side, filleted_);
+  const std::vector<Notch> round = notches(body_, of.strip, side, all);
   const auto is_of_notch = [&](const ContactCrossing& each) {
     return std::ranges::any_of(round, [&](const Notch& notch) {
       return notch.has(each.t) && notch.leaves.t > between.from && notch.enters.t < between.to;
     });
   };
   const RolledContact& contact = of.strip.contacts[side];
-  for (const ContactCrossing& each : contact_crossings(body_, of.strip, side, filleted_)) {
+  for (const ContactCrossing& each : all) {
     const double speed = contact.curve->DN(each.t, 1).Magnitude();
     const double room = kSamePlace * std::max(tolerance_, each.use->coedge->tolerance) / speed;
     if (each.t <= between.from + room || each.t >= between.to - room) continue;

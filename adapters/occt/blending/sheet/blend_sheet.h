@@ -185,7 +185,7 @@ class BlendSheet {
   Interval part_near(const HalfEdge& half, const std::array<double, 2>& t);
   TopoDS_Edge section(const PlacedStrip& of, const StripEnd& end);
   void cap_face(const HalfEdge& half, const Interval& part, int face, const TopoDS_Vertex& from,
-                const TopoDS_Vertex& to);
+                const TopoDS_Vertex& to, bool touches = false);
   const EdgeUseInFace& arriving(const Ring& ring, std::size_t sector) const;
   /// The border of a strip on a wall of a notch, and the edge over which it leaves the wall; null:
   /// it comes out of the notch.
@@ -196,7 +196,7 @@ class BlendSheet {
   };
   std::optional<WallWay> wall_way(const PlacedStrip& of, const Interval& part, int face,
                                   int entered, const TopoDS_Vertex& from,
-                                  const TopoDS_Vertex* enters);
+                                  const TopoDS_Vertex* enters, bool grows);
   TopoDS_Vertex cut_wall(const PlacedStrip& of, const WallWay& way, int face);
   std::vector<PathEdge> notch_path(const PlacedStrip& of, std::size_t side, const Notch& notch,
                                    const TopoDS_Vertex& leaves, const TopoDS_Vertex& enters);

@@ -51,17 +51,18 @@ bool is_between(const RolledStrip& strip, double w) {
   return share > -kSameShare && share < 1 + kSameShare;
 }
 
-// Whether a curve keeps to the trims of a wall, and to a strip between its contacts.
-bool stays_inside(const RolledStrip& strip, const FaceTrims& trims, const EndCurve& curve) {
+// Whether a curve keeps to the trims of a wall, or, if that grows, out of them, and to a strip
+// between its contacts.
+bool stays_where(const RolledStrip& strip, const FaceTrims& trims, const EndCurve& curve,
+                 bool grows) {
   for (int i = 1; i < kInsideSamples; ++i) {
     const double x = at(curve.range, i / double{kInsideSamples});
     const gp_Pnt2d there = curve.on_strip->Value(x), uv = curve.on_face->Value(x);
     if (!is_between(strip, strip.along_u ? there.Y() : there.X())) return false;
     const Vec2 point{uv.X() * trims.scale[0], uv.Y() * trims.scale[1]};
     const std::vector<Vec2> shifts = period_shifts(trims, planar_line(point, point, {0, 1}));
-    if (std::ranges::none_of(shifts,
-                             [&](const Vec2& shift) { return is_inside(trims, point + shift); }))
-      return false;
+    const auto is_in = [&](const Vec2& shift) { return is_inside(trims, point + shift); };
+    if (std::ranges::any_of(shifts, is_in) == grows) return false;
   }
   return true;
 }
@@ -69,21 +70,23 @@ bool stays_inside(const RolledStrip& strip, const FaceTrims& trims, const EndCur
 }  // namespace
 
 // The border of the strip on a wall: to where it comes out of the notch, if that is there, or over
-// another edge of the wall.
+// another edge of the wall. A wall that rises from the face on the ball's side of it, or one that
+// a strip of a concave edge covers, grows to the strip; only one wall can.
 std::optional<BlendSheet::WallWay> BlendSheet::wall_way(const PlacedStrip& of, const Interval& part,
                                                         int face, int entered,
                                                         const TopoDS_Vertex& from,
-                                                        const TopoDS_Vertex* enters) {
+                                                        const TopoDS_Vertex* enters, bool grows) {
   const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(from));
   const auto way_to = [&](const Vec3& point, double room) {
     auto curve = curve_in_face(of.strip, part, body_.face(face), point_of(from), point,
                                std::max(reach, room));
-    if (curve && !stays_inside(of.strip, body_.trims(face), *curve)) curve.reset();
+    if (curve && !stays_where(of.strip, body_.trims(face), *curve, grows)) curve.reset();
     return curve;
   };
   if (enters)
     if (auto curve = way_to(point_of(*enters), kSamePlace * BRep_Tool::Tolerance(*enters)))
       return WallWay{nullptr, {}, *std::move(curve)};
+  if (grows) return std::nullopt;
   for (const EdgeUseInFace& use : body_.uses(face)) {
     if (use.coedge->degenerated || use.edge == entered || is_filleted(use.edge)) continue;
     for (const EdgeThrough& each : edge_through(of.strip, part, body_, use.edge)) {
@@ -117,9 +120,13 @@ std::vector<PathEdge> BlendSheet::notch_path(const PlacedStrip& of, std::size_t 
   std::vector<PathEdge> path;
   int face = behind(*notch.leaves.use), entered = notch.leaves.use->edge;
   const int last = behind(*notch.enters.use);
+  double angle = 0;
+  const bool is_rise = edge_kind(body_, entered, angle) == EdgeKind::Concave;
+  const bool grows = is_rise != of.strip.concave;
   TopoDS_Vertex from = leaves;
   for (int count = 0; count < kMostWalls; ++count) {
-    const auto way = wall_way(of, part, face, entered, from, face == last ? &enters : nullptr);
+    const auto way =
+        wall_way(of, part, face, entered, from, face == last ? &enters : nullptr, grows);
     if (!way) break;
     const TopoDS_Vertex to = way->use ? cut_wall(of, *way, face) : enters;
     path.push_back(wall_edge(of, side, face, way->curve, from, to));

@@ -40,14 +40,15 @@ BlendSheet::Cut BlendSheet::end_cut(const HalfEdge& half, std::size_t side, int&
   const RolledContact& contact = of.strip.contacts[side];
   const double outwards = is_low_end(half) ? -1 : 1;
   const Interval& beside = of.strip.edge_range;
-  const std::vector<Notch> round = notches(body_, of.strip, side, filleted_);
+  const std::vector<ContactCrossing> all = contact_crossings(body_, of.strip, side, filleted_);
+  const std::vector<Notch> round = notches(body_, of.strip, side, all);
   const auto is_of_notch = [&](const ContactCrossing& each) {
     return std::ranges::any_of(round, [&](const Notch& notch) {
       return notch.has(each.t) && notch.leaves.t > beside.from && notch.enters.t < beside.to;
     });
   };
   std::optional<ContactCrossing> best;
-  for (const ContactCrossing& each : contact_crossings(body_, of.strip, side, filleted_)) {
+  for (const ContactCrossing& each : all) {
     const double far = outwards * (each.t - of.inside);
     const double speed = contact.curve->DN(each.t, 1).Magnitude();
     const double room = kSamePlace * std::max(tolerance_, each.use->coedge->tolerance);
@@ -121,15 +122,21 @@ BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyon
 }
 
 // Across one of the faces at the end of a strip, from its left to its right.
+//
+// Where a contact comes to the face over a smooth edge, strip and face touch, but for the edge's
+// tolerance e: with curvatures that differ by 1/r they meet up to sqrt(2 e r) beside the contact.
+//
+// touches   whether one of the ends is such a contact
 void BlendSheet::cap_face(const HalfEdge& half, const Interval& part, int face,
-                          const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
+                          const TopoDS_Vertex& from, const TopoDS_Vertex& to, bool touches) {
   const RolledStrip& strip = strip_of(half).strip;
   if (strip.concave && has_pole_at(body_, face, body_.vertex(half)))
     refuse(half, FilletFault::End,
            "it ends in a pole of face " + std::to_string(face) +
                ", which would have to close round it: this cannot be built yet");
-  const double reach =
+  double reach =
       kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(from), BRep_Tool::Tolerance(to)});
+  if (touches) reach = std::max(reach, std::sqrt(2 * kSamePlace * tolerance_ * strip.radius));
   const auto curve =
       curve_between(strip, part, body_.face(face), point_of(from), point_of(to), reach);
   if (!curve)
@@ -217,7 +224,11 @@ void BlendSheet::cap(const Ring& ring) {
     if (count == kMostFaces) refuse(half, FilletFault::End, "too many faces are at its end");
     face = cross_face(half, part, face, entered, w, from);
   }
-  cap_face(half, part, face, from, right.vertex);
+  const auto is_smooth = [&](int edge) {
+    double angle = 0;
+    return edge_kind(body_, edge, angle) == EdgeKind::Smooth;
+  };
+  cap_face(half, part, face, from, right.vertex, is_smooth(entered) || is_smooth(left_at));
   turn_path(half);
 }
 

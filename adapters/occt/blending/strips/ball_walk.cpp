@@ -84,8 +84,9 @@ bool BallWalker::is_past_end(const Vec3& centre) const {
 }
 
 // The crossings at notches that are beside the run: the ball rolls over them.
-std::vector<Notch> BallWalker::notches_beside(const WalkedStrip& of, std::size_t contact) const {
-  std::vector<Notch> all = notches(body_, of.strip, contact, options_.filleted);
+std::vector<Notch> BallWalker::notches_beside(const WalkedStrip& of, std::size_t contact,
+                                              const std::vector<ContactCrossing>& crossed) const {
+  std::vector<Notch> all = notches(body_, of.strip, contact, crossed);
   std::erase_if(all, [&](const Notch& each) {
     return is_past_end(vec(of.strip.spine->Value(each.leaves.t).XYZ())) ||
            is_past_end(vec(of.strip.spine->Value(each.enters.t).XYZ()));
@@ -99,9 +100,10 @@ std::optional<ContactCrossing> BallWalker::first_crossing(const WalkedStrip& of,
                                                           int entered) const {
   const std::size_t contact = contact_at(of, side);
   std::optional<ContactCrossing> best;
-  const std::vector<Notch> round = notches_beside(of, contact);
-  for (const ContactCrossing& each :
-       contact_crossings(body_, of.strip, contact, options_.filleted)) {
+  const std::vector<ContactCrossing> all =
+      contact_crossings(body_, of.strip, contact, options_.filleted);
+  const std::vector<Notch> round = notches_beside(of, contact, all);
+  for (const ContactCrossing& each : all) {
     const double far = ahead * (each.t - from);
     const double speed = of.strip.contacts[contact].curve->DN(each.t, 1).Magnitude();
     const double room =

@@ -11,6 +11,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_ConicalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 
@@ -34,6 +35,7 @@ constexpr int kFootSamples = 5;   // a side, of the strip's part whose feet boun
 constexpr double kRunEnd = 1e-9;  // of a run: meetings so near to its ends are those
 // Of a span, or of the way across a strip: how far surfaces go on past their borders.
 constexpr double kBeyondBorder = 0.125;
+constexpr double kBeyondEndless = 0.5;  // of a face's length, of planes and cylinders
 // Of the way across a strip: where the curve is known to end at contacts, so that no curve on it
 // closes beyond them.
 constexpr double kBeyondContact = 1e-3;
@@ -131,14 +133,17 @@ BezierSurface face_surface(const std::vector<Vec3>& points, const TopoDS_Face& f
   return extended(surface, parts, parts);
 }
 
-// A face's surface as far as its trims go, and a little beyond.
+// A face's surface as far as its trims go, and a little beyond; further where it has no end and no
+// apex.
 BezierSurface trimmed_surface(const TopoDS_Face& face) {
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   const ParameterBox own = parameter_box(face);
   std::array<Interval, 2> box{own.u, own.v}, bounds;
   surface->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
   for (std::size_t d = 0; d < 2; ++d) {
-    double room = kBeyondBorder * length(box[d]);
+    const bool is_endless = Precision::IsInfinite(bounds[d].from) &&
+                            !surface->IsKind(STANDARD_TYPE(Geom_ConicalSurface));
+    double room = (is_endless ? kBeyondEndless : kBeyondBorder) * length(box[d]);
     if (d == 0 ? surface->IsUPeriodic() : surface->IsVPeriodic()) {
       room = std::clamp(0.5 * (length(bounds[d]) - length(box[d])), 0.0, room);
       box[d] = widened(box[d], room);

@@ -18,8 +18,7 @@ bool is_seam_at(const BodyEdges& body, const ContactCrossing& crossing) {
 }
 
 std::vector<Notch> notches(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
-                           const std::set<int>& left_out) {
-  std::vector<ContactCrossing> all = contact_crossings(body, strip, side, left_out);
+                           std::vector<ContactCrossing> all) {
   std::erase_if(all, [&](const ContactCrossing& each) { return is_seam_at(body, each); });
   std::vector<Notch> found;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <set>
 #include <vector>
 
 #include "adapters/occt/blending/body_edges.h"
@@ -25,9 +24,9 @@ struct Notch {
 
 /// All notches of a strip's contact, by t.
 ///
-/// left_out   edges that count for nothing
+/// all   crossings of the contact with the edges of its face, by t
 std::vector<Notch> notches(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
-                           const std::set<int>& left_out);
+                           std::vector<ContactCrossing> all);
 
 /// Whether the faces at an edge go on smoothly where a contact goes over it.
 bool is_smooth_at(const BodyEdges& body, const ContactCrossing& crossing);
