@@ -18,10 +18,13 @@ class WorkLimit {
   /// cancelled   kept by reference
   WorkLimit(double seconds, const std::function<bool()>& cancelled)
       : seconds_(seconds), cancelled_(cancelled) {}
+  WorkLimit(double seconds, std::function<bool()>&& cancelled) = delete;
 
   /// Of anything that has a `time_limit` in seconds and a function `cancelled`; kept by reference.
   template <class Options>
   explicit WorkLimit(const Options& options) : WorkLimit(options.time_limit, options.cancelled) {}
+  template <class Options>
+  explicit WorkLimit(const Options&& options) = delete;
 
   /// Why the work has to end now; null if it may go on.
   const char* reached() const {

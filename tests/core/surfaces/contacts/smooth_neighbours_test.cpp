@@ -16,6 +16,8 @@
 namespace blossom {
 namespace {
 
+const IntersectionOptions kOptions;
+
 BezierSurface surface_of(const RationalBezierPatch& patch) {
   BezierSurface surface{{0, 1}, {0, 1}};
   surface.patches = Grid<RationalBezierPatch>(1, 1);
@@ -106,7 +108,7 @@ RationalBezierPatch side_of_crease(double way, double slope) {
 bool is_taken(const BezierSurface& a, const BezierSurface& b) {
   std::vector<StartPair> pairs{{0, 0, 0, 0}};
   SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
-  take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(IntersectionOptions{}));
+  take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(kOptions));
   return pairs.empty();
 }
 
@@ -201,7 +203,7 @@ int taken(const BezierSurface& a, const BezierSurface& b) {
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) pairs.push_back({i, 0, j, 0});
   SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
-  take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(IntersectionOptions{}));
+  take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(kOptions));
   return 4 - static_cast<int>(pairs.size());
 }
 
@@ -291,8 +293,7 @@ TEST(SmoothNeighbours, BordersFartherApartAreSearched) {
   const BezierSurface b = shaken(surface_of(sub_patch(whole, {0.5, 1}, {0, 1})), 1e-9);
   std::vector<StartPair> pairs{{0, 0, 0, 0}};
   SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
-  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(IntersectionOptions{}))
-                  .arcs.empty());
+  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(kOptions)).arcs.empty());
   EXPECT_EQ(pairs.size(), 1u);
 }
 
@@ -355,8 +356,7 @@ TEST(SmoothNeighbours, OneFoldedBackIsNone) {
   std::vector<StartPair> pairs{{0, 0, 0, 0}};
   const BezierSurface a = surface_of(half), b = surface_of(folded);
   SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
-  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(IntersectionOptions{}))
-                  .arcs.empty());
+  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(kOptions)).arcs.empty());
   EXPECT_EQ(pairs.size(), 1u);
 }
 
@@ -376,8 +376,7 @@ TEST(SmoothNeighbours, OneThatComesBackIsSearched) {
   const BezierSurface of_a = surface_of(a), of_b = surface_of(b);
   SurfaceCells cells_a(of_a, {}, CellForm::Auto, 0.4865);
   SurfaceCells cells_b(of_b, {}, CellForm::Auto, 0.4865);
-  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(IntersectionOptions{}))
-                  .arcs.empty());
+  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(kOptions)).arcs.empty());
   EXPECT_EQ(pairs.size(), 1u);
 }
 
