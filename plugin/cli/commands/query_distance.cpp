@@ -84,19 +84,25 @@ int run_point(const DistanceCommand& options) {
   return exit_code(found.status);
 }
 
+// The answer to a question about two inputs, with the time it took.
+reports::DistanceAnswer asked(const DistanceCommand& options, QuerySide& a, QuerySide& b,
+                              decltype(reports::distance_between)* question) {
+  stop_if_interrupted();
+  const Stopwatch watch;
+  a.prepare();
+  b.prepare();
+  reports::DistanceAnswer found = question(a, b, options.common.tolerance, limits_of(options));
+  found.seconds = watch.seconds();
+  stop_if_interrupted();
+  return found;
+}
+
 int run_distance(const DistanceCommand& options) {
   if (is_mesh_input(options.a) || is_mesh_input(options.b))
     return run_mesh_distance(options.a, options.b, options.common);
   check_files(options.common, {options.a, options.b});
   QuerySide a(options.a), b(options.b);
-  stop_if_interrupted();
-  const Stopwatch watch;
-  a.prepare();
-  b.prepare();
-  reports::DistanceAnswer found =
-      reports::distance_between(a, b, options.common.tolerance, limits_of(options));
-  found.seconds = watch.seconds();
-  stop_if_interrupted();
+  const reports::DistanceAnswer found = asked(options, a, b, reports::distance_between);
   std::string text = a.input.name + " - " + b.input.name + ": " + to_string(stated(found.status)) +
                      ", " + bounds_text(found.bounds.lower, found.bounds.upper) + ", " +
                      relation_text(found.relation.relation, a, b) + "\n";
@@ -112,14 +118,7 @@ int run_distance(const DistanceCommand& options) {
 int run_does_intersect(const DistanceCommand& options) {
   check_files(options.common, {options.a, options.b});
   QuerySide a(options.a), b(options.b);
-  stop_if_interrupted();
-  const Stopwatch watch;
-  a.prepare();
-  b.prepare();
-  reports::DistanceAnswer found =
-      reports::meeting_of(a, b, options.common.tolerance, limits_of(options));
-  found.seconds = watch.seconds();
-  stop_if_interrupted();
+  const reports::DistanceAnswer found = asked(options, a, b, reports::meeting_of);
   const occt::Relation relation = found.relation.relation;
   std::string text = a.input.name + " - " + b.input.name + ": " + reports::meeting_word(relation) +
                      (stated(found.status) == Status::Complete

@@ -290,6 +290,15 @@ def planes_at(value: Any, name: str, point: Any, normal: Any) -> List[NamedPlane
     return _some(made, name)
 
 
+def planes_of_sections(planes: Any, offsets: Any, point: Any, normal: Any) -> List[NamedPlane]:
+    """Those that are given, or those at offsets; one of the two is."""
+    if (planes is None) == (offsets is None):
+        raise ValueError("sections needs planes, or offsets")
+    if offsets is None:
+        return named_planes(planes, "planes")
+    return planes_at(offsets, "offsets", point, normal)
+
+
 def _some(listed: List[NamedPlane], name: str) -> List[NamedPlane]:
     if not listed:
         raise ValueError(f"{name}: there is no plane in it")

@@ -180,13 +180,7 @@ class Model(_results.MadeShape):
         offsets         instead: of parallel planes, from the point along the normal
         point, normal   of offsets
         """
-        if (planes is None) == (offsets is None):
-            raise ValueError("sections needs planes, or offsets")
-        listed = (
-            _checks.named_planes(planes, "planes")
-            if offsets is None
-            else _checks.planes_at(offsets, "offsets", point, normal)
-        )
+        listed = _checks.planes_of_sections(planes, offsets, point, normal)
         return Sections(_core.sections(self._core, listed, _checks.control(options)))
 
     def clash(

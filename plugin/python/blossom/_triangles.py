@@ -246,13 +246,7 @@ class Triangles:
         **options: Any,
     ) -> MeshSections:
         """Likewise with many planes; see `Model.sections`."""
-        if (planes is None) == (offsets is None):
-            raise ValueError("sections needs planes, or offsets")
-        listed = (
-            _checks.named_planes(planes, "planes")
-            if planes is not None
-            else _checks.planes_at(offsets, "offsets", point, normal)
-        )
+        listed = _checks.planes_of_sections(planes, offsets, point, normal)
         return MeshSections(_core.section_mesh(self._core, listed, _checks.control(options)))
 
     def distance(self, other: Any, **options: Any) -> MeshDistance:
