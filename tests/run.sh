@@ -3,8 +3,8 @@
 # Installs what is missing, builds everything and runs the tests.
 #
 #   tests/run.sh           the quick tests
-#   tests/run.sh --full    all tests, the quick ones once more under the sanitizers, and those with
-#                          threads under ThreadSanitizer
+#   tests/run.sh --full    all tests, layout and likely bugs (tests/tidy.sh), the quick tests once more
+#                          under the sanitizers, and those with threads under ThreadSanitizer
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/support/setup.sh"
 
@@ -38,6 +38,8 @@ ctest --test-dir "$build" "${labels[@]}" -j "$(nproc)" --output-on-failure --no-
   --output-junit "$build/tests.xml"
 
 if [ "$full" = yes ]; then
+  step "layout and likely bugs"
+  bash "$root/tests/tidy.sh"
   step "build with sanitizers"
   configure asan
   cmake --build "$root/build/asan" -j "$(build_jobs)"

@@ -10,8 +10,9 @@
 
 namespace blossom::python {
 
-/// Runs `task` in a thread that waits, or in a new one. A thread that has given way can not take its
-/// priority back, so each serves only callers of one priority. After a fork the child makes its own.
+/// Runs `task` in a thread that waits, or in a new one. A thread that has given way can not take
+/// its priority back, so each serves only callers of one priority. After a fork the child makes its
+/// own.
 ///
 /// nice   how far it gives way to the calling thread, which keeps its priority: 0 not at all, at
 ///        most 19. Only on Linux threads have priorities of their own.

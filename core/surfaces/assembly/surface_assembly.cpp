@@ -448,7 +448,8 @@ class Assembly {
       for (const Vec3& p : curve.points) box = joined(box, {p - r, p + r});
       result_.places.push_back({PlaceKind::Tangential, box.low, box.high, 0, curve.gap, {}});
     }
-    weaken(Status::Tolerance, "faces beside a common edge are too near each other to be told apart there");
+    weaken(Status::Tolerance,
+           "faces beside a common edge are too near each other to be told apart there");
   }
 
   void note_approximations() {

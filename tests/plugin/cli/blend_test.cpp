@@ -72,8 +72,8 @@ TEST_F(BlendStrip, TellsPeopleWhatItJoined) {
 }
 
 TEST_F(BlendStrip, ContinuesCurvaturesFromAnEdgeByItsNumber) {
-  const Finished ran = blossom({"blend", "strip", path("pipe.step"), path("lids.brep#2"), "--edge-b",
-                                "6", "--continuity", "G2", "--json", "-"});
+  const Finished ran = blossom({"blend", "strip", path("pipe.step"), path("lids.brep#2"),
+                                "--edge-b", "6", "--continuity", "G2", "--json", "-"});
 
   ASSERT_EQ(ran.code, 0) << ran.err;
   const nlohmann::json report = nlohmann::json::parse(ran.out);
