@@ -59,7 +59,12 @@ double farthest(const Box& a, const Box& b) {
   return sum;
 }
 
-double lower_end(double squared) { return (1 - 1e-14) * std::sqrt(squared); }
+// Of a square of a length: many times the eight roundings of a sum of three squares and its root.
+constexpr double kRoundingOfLength = 1e-14;
+constexpr double kRoundingOfSquare = 1e-12;  // of such a square, generously
+constexpr double kGapSlack = 1e-6;           // of the gap that is allowed: no wish for more digits
+
+double lower_end(double squared) { return (1 - kRoundingOfLength) * std::sqrt(squared); }
 
 Vec2 inside(const Cell& cell, const Vec2& at) {
   return {std::clamp(at[0], cell.u.from, cell.u.to), std::clamp(at[1], cell.v.from, cell.v.to)};
@@ -106,7 +111,7 @@ class Search {
     }
     result_.lower = std::max(0.0, std::min({lowest, dropped_, result_.upper}));
     // Cells at the limit of halving leave a gap, too.
-    if (options_.enough < 0 && result_.lower < result_.upper - (1 + 1e-6) * gap())
+    if (options_.enough < 0 && result_.lower < result_.upper - (1 + kGapSlack) * gap())
       result_.status = Status::Stopped;
     return result_;
   }
@@ -218,8 +223,8 @@ class Search {
     if (pair.a.item < 0 || pair.b.item < 0) return;
     const DistanceItem &a = a_.item(pair.a), &b = b_.item(pair.b);
     if (a_.parts.is_whole(a) && b_.parts.is_whole(b))
-      reach_ =
-          std::min(reach_, std::sqrt((1 + 1e-12) * farthest(widened(a.box, rounding_), b.box)));
+      reach_ = std::min(
+          reach_, std::sqrt((1 + kRoundingOfSquare) * farthest(widened(a.box, rounding_), b.box)));
   }
 
   void examine(const Pair& pair) {

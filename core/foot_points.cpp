@@ -165,7 +165,8 @@ class PatchFeet {
     }
     if (!exact || !is_contraction(forms.spread)) return false;
     Vec2 x = Vec2{0.5, 0.5} - centre;
-    const double last_step = std::clamp(max_norm(forms.rounding), 1e-15, 1e-10);
+    constexpr double kBestStep = 1e-15, kWorstStep = 1e-10;  // part of the piece
+    const double last_step = std::clamp(max_norm(forms.rounding), kBestStep, kWorstStep);
     double step = 1;
     for (int k = 0; k < kSteps && step > last_step && max_norm(x) <= 2; ++k) {
       const Vec2 move = offset(piece, forms, x);

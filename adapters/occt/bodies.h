@@ -11,6 +11,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/distance.h"
+#include "core/base/tolerances.h"
 
 namespace blossom::occt {
 
@@ -93,7 +94,8 @@ struct ModelRelation {
 /// boundaries   what is known of those of the models as wholes
 /// tolerance    distance that counts as meeting where nothing is proven, model units
 ModelRelation relation_of(Bodies& a, Bodies& b, const ShapeMeeting& boundaries,
-                          double tolerance = 1e-7, const DistanceOptions& options = {});
+                          double tolerance = Tolerances{}.point,
+                          const DistanceOptions& options = {});
 
 enum class PointPlace { Unknown, Outside, Inside, OnBoundary };
 
@@ -105,6 +107,7 @@ const char* to_string(PointPlace place);
 /// nearest     what is known of its distance from the boundary
 /// tolerance   how near to the boundary is on it, model units
 std::vector<PointPlace> places_of(Bodies& bodies, const Vec3& point, const ShapeDistance& nearest,
-                                  double tolerance = 1e-7, const DistanceOptions& options = {});
+                                  double tolerance = Tolerances{}.point,
+                                  const DistanceOptions& options = {});
 
 }  // namespace blossom::occt

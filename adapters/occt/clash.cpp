@@ -33,7 +33,7 @@ Box box_of(const TopoDS_Shape& shape) {
   return box;
 }
 
-std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape) {
+std::vector<TopoDS_Face> faces_of_part(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Face> faces;
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
     faces.push_back(TopoDS::Face(it.Current()));
@@ -41,7 +41,7 @@ std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape) {
 }
 
 double volume_of_solid(const TopoDS_Shape& solid) {
-  const std::vector<TopoDS_Face> faces = faces_in(solid);
+  const std::vector<TopoDS_Face> faces = faces_of_part(solid);
   const Box box = box_of(solid);
   double volume = 0;
   for (const TopoDS_Face& face : faces) volume += cone_volume(face, (box.low + box.high) * 0.5);
@@ -248,7 +248,8 @@ class ClashSearch {
   }
 
   void find_contacts(Clash& pair) {
-    const std::vector<TopoDS_Face> a = faces_in(parts_[pair.a]), b = faces_in(parts_[pair.b]);
+    const std::vector<TopoDS_Face> a = faces_of_part(parts_[pair.a]),
+                                   b = faces_of_part(parts_[pair.b]);
     pair.contacts = contacts_of(intersect(a, b, limit_.remaining()), a, b);
     if (pair.contacts.empty())  // within tolerance only
       pair.contacts.push_back({ContactKind::Point,
@@ -300,8 +301,8 @@ class ClashSearch {
     CommonBody& common = pair.common.emplace();
     common.volume = volume_of_solid(parts_[inner]);
     common.solids = {TopoDS::Solid(parts_[inner])};
-    deepen(reach_of(faces_in(parts_[inner]), bodies(outer).boundary(), tolerance_, common.lower,
-                    stop()),
+    deepen(reach_of(faces_of_part(parts_[inner]), bodies(outer).boundary(), tolerance_,
+                    common.lower, stop()),
            common);
   }
 

@@ -12,6 +12,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "core/base/tolerances.h"
 #include "core/curve_intersection.h"
 #include "core/curve_surface_intersection.h"
 #include "core/math/interval.h"
@@ -21,12 +22,12 @@ namespace blossom::occt {
 /// A curve on a finite range of its parameters as Bezier spans, z = 0.
 /// throws   BadModel as `bezier_spans`
 CurveSpans bezier_spans(const Handle(Geom2d_Curve) & curve, const Interval& range,
-                        double tolerance = 1e-7);
+                        double tolerance = Tolerances{}.point);
 
 /// The curve of an edge in model space, over the edge's range. The edge's orientation is left out:
 /// parameters are the curve's.
 /// throws   BadModel if the edge has no curve in space, or as `bezier_spans`
-CurveSpans bezier_spans(const TopoDS_Edge& edge, double tolerance = 1e-7);
+CurveSpans bezier_spans(const TopoDS_Edge& edge, double tolerance = Tolerances{}.point);
 
 /// All common points of two edges. Seams and ends of closed edges count as points of the curves.
 /// throws   BadModel as above

@@ -9,6 +9,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "core/base/tolerances.h"
 #include "core/distance.h"
 #include "core/foot_points.h"
 
@@ -82,7 +83,8 @@ struct ShapeFoot {
 /// distance. Approximated forms make them Status::Tolerance. When the limit is reached each face
 /// that was not searched, or not all of it, has one that is Status::Stopped.
 std::vector<ShapeFoot> foot_points(const MeasuredShape& shape, const Vec3& point,
-                                   double tolerance = 1e-7, const WorkLimit* limit = nullptr);
+                                   double tolerance = Tolerances{}.point,
+                                   const WorkLimit* limit = nullptr);
 
 enum class Meeting {
   No,       ///< proven: they have no point in common
@@ -104,11 +106,11 @@ struct ShapeMeeting {
 /// Whether two shapes have a point in common, as early as that is known.
 ///
 /// tolerance  distance that counts as meeting where nothing is proven, model units
-ShapeMeeting meeting(const MeasuredShape& a, const MeasuredShape& b, double tolerance = 1e-7,
-                     const DistanceOptions& options = {});
+ShapeMeeting meeting(const MeasuredShape& a, const MeasuredShape& b,
+                     double tolerance = Tolerances{}.point, const DistanceOptions& options = {});
 
 /// The same where the distance is known already.
 ShapeMeeting meeting_at(const ShapeDistance& found, const MeasuredShape& a, const MeasuredShape& b,
-                        double tolerance = 1e-7, const DistanceOptions& options = {});
+                        double tolerance = Tolerances{}.point, const DistanceOptions& options = {});
 
 }  // namespace blossom::occt

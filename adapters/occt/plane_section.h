@@ -15,6 +15,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "core/base/tolerances.h"
 #include "core/results/options.h"
 #include "core/results/result.h"
 
@@ -97,7 +98,7 @@ PlaneSection plane_section(const std::vector<TopoDS_Face>& faces, const Plane& p
 class SectionedFaces {
  public:
   /// throws   BadModel if a face cannot be used
-  explicit SectionedFaces(std::vector<TopoDS_Face> faces, double tolerance = 1e-7);
+  explicit SectionedFaces(std::vector<TopoDS_Face> faces, double tolerance = Tolerances{}.point);
   ~SectionedFaces();
   SectionedFaces(SectionedFaces&&) noexcept;
   SectionedFaces& operator=(SectionedFaces&&) noexcept;

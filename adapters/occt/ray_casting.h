@@ -11,6 +11,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/base/shared_limit.h"
+#include "core/base/tolerances.h"
 #include "core/rays/ray_casting.h"
 
 namespace blossom::occt {
@@ -30,9 +31,9 @@ class ShapeRays {
   /// limit      of making them ready; null: none
   /// throws     BadModel if there is no face or one cannot be used, InvalidInput if the tolerance
   ///            is not positive, LimitFailure
-  explicit ShapeRays(const std::vector<TopoDS_Face>& faces, double tolerance = 1e-7,
+  explicit ShapeRays(const std::vector<TopoDS_Face>& faces, double tolerance = Tolerances{}.point,
                      const WorkLimit* limit = nullptr);
-  explicit ShapeRays(const TopoDS_Shape& shape, double tolerance = 1e-7);
+  explicit ShapeRays(const TopoDS_Shape& shape, double tolerance = Tolerances{}.point);
   ~ShapeRays();
   ShapeRays(ShapeRays&&) noexcept;
   ShapeRays& operator=(ShapeRays&&) noexcept;

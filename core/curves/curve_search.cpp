@@ -49,12 +49,13 @@ bool meet(const Interval& a, const Interval& b) { return a.from <= b.to && b.fro
 // Both cones within less than a right angle of one direction: all tangents of the two pieces have
 // a positive component along it, so one curve that runs through both does not meet itself.
 bool turns_little(const CurveCell& a, const CurveCell& b, double sign) {
+  constexpr double kRoundingOfAngle = 1e-9;  // radians, many times that of unit vectors
   const Vec3 middle = unit(a.axis + b.axis * sign);
   const auto holds = [&](const CurveCell& cell, double s) {
     const double c = s * dot(middle, cell.axis);
     if (!(c > 0 && cell.cosine > 0)) return false;
     const double sines = std::sqrt(std::max(0.0, (1 - c * c) * (1 - cell.cosine * cell.cosine)));
-    return c * cell.cosine > sines + 1e-9;
+    return c * cell.cosine > sines + kRoundingOfAngle;
   };
   return holds(a, 1) && holds(b, sign);
 }

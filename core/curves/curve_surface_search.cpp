@@ -16,6 +16,8 @@ namespace {
 constexpr int kSurfaceNewtonSteps = 20;
 constexpr double kSurfaceSettled = 1e-15;
 constexpr int kKrawczykSteps = 6;
+constexpr double kRoundingOfSpread = 1e-12;  // part of it, generously
+constexpr double kRoundingOfPlace = 1e-14;   // part of a patch: many roundings of a parameter
 
 bool apart(const ValueRange& a, double low, double high, double tolerance) {
   return a.low > high + tolerance || low > a.high + tolerance;
@@ -253,7 +255,7 @@ bool CurveSurfaceSearch::krawczyk_empties(const CurveCell& c, int patch, const C
         shift += minor.inverse[i][j] * f[static_cast<int>(j)];
         spread += minor.spread[i][j] * radius[j] + std::abs(minor.inverse[i][j]) * rounding;
       }
-      spread = spread * (1 + 1e-12) + 1e-14;
+      spread = spread * (1 + kRoundingOfSpread) + kRoundingOfPlace;
       const double low = std::max(y[i] - shift - spread, y[i] - radius[i]);
       const double high = std::min(y[i] - shift + spread, y[i] + radius[i]);
       if (low > high) return true;

@@ -60,13 +60,15 @@ std::optional<Interval> common_part(const LocalMap& map) {
 
 // The parameter in [0, 1] whose point is nearest, from a start.
 double foot(const RationalBezierCurve& b, const Vec3& point, double t) {
+  constexpr double kBeyondEnd = 1e-6;      // part of the curve: the start is near, so is the foot
+  constexpr double kLastFootStep = 1e-16;  // part of the curve: half a rounding of 1
   for (int k = 0; k < kSampleFootSteps; ++k) {
     const CurveJet jet = jet_at(b, t);
     const double square = dot(jet.first, jet.first);
     if (!(square > 0)) break;
     const double step = dot(point - jet.point, jet.first) / square;
-    t = std::clamp(t + step, -1e-6, 1 + 1e-6);  // not far out: the start is near
-    if (std::abs(step) < 1e-16) break;
+    t = std::clamp(t + step, -kBeyondEnd, 1 + kBeyondEnd);
+    if (std::abs(step) < kLastFootStep) break;
   }
   if (std::abs(t - std::round(t)) <= kSameEnd) return std::clamp(std::round(t), 0.0, 1.0);
   return std::clamp(t, 0.0, 1.0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/base/not_zero.h"
 #include "core/bounds/box_tree.h"
 
 namespace blossom {
@@ -14,6 +15,8 @@ namespace {
 constexpr double kPairSlack = 1e-14;
 constexpr int kDampedSteps = 40;
 constexpr double kMinDamping = 1e-12, kMaxDamping = 1e8;
+constexpr double kFirstDamping = 1e-3;  // part of the curvature
+constexpr double kNoMove = 1e-12;       // part of a patch: a step that finds nothing smaller
 // A step this small changes no digit of a parameter any more.
 constexpr double kLastStep = 1e-16;
 
@@ -147,10 +150,10 @@ NearPair near_pair(const PatchOf& a, const PatchOf& b, const Vec2& start_a, cons
       free[i] = free[i] && !(x[i] <= sides[i].from && gap.slope[i] > 0) &&
                 !(x[i] >= sides[i].to && gap.slope[i] < 0);
     Matrix4 h = gap.curvature;
-    for (std::size_t i = 0; i < 4; ++i) h[i][i] += damping * (std::abs(h[i][i]) + 1e-300);
+    for (std::size_t i = 0; i < 4; ++i) h[i][i] += damping * (std::abs(h[i][i]) + kNotZero);
     Vec4d step;
     if (!solve(h, gap.slope, free, step)) {
-      damping = std::max(10 * damping, 1e-3);
+      damping = std::max(10 * damping, kFirstDamping);
       continue;
     }
     Vec4d next = x;
@@ -166,8 +169,8 @@ NearPair near_pair(const PatchOf& a, const PatchOf& b, const Vec2& start_a, cons
       gap = there;
       damping = damping < kMinDamping ? 0 : damping / 10;
     } else {
-      if (moved < 1e-12) break;
-      damping = std::max(10 * damping, 1e-3);
+      if (moved < kNoMove) break;
+      damping = std::max(10 * damping, kFirstDamping);
     }
   }
   return {{x[0], x[1]}, {x[2], x[3]}, gap.a.point, gap.b.point};

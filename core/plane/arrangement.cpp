@@ -72,14 +72,18 @@ Arm arm_of(const ChartArc& arc, Walk walk) {
   const PlanarBezier& curve = piece_from(arc.path, reversed, lead);
   const double sign = reversed ? -1 : 1;
   const double start = reversed ? 1 : 0;
+  constexpr double kStandsStill =
+      1e-9;  // part of a quarter of the piece: no direction but rounding
+  constexpr double kBesideVertex =
+      1e-4;  // part of the piece: from there the direction is taken then
   const PlanarJet jet = jet_at(curve, start);
   const Vec2 far = jet_at(curve, reversed ? 0.75 : 0.25).point - jet.point;
   Vec2 direction = sign * jet.first;
   double curvature = 0;
-  if (norm(direction) > 1e-9 * norm(far))
+  if (norm(direction) > kStandsStill * norm(far))
     curvature = cross(direction, jet.second) / std::pow(norm(direction), 3);
   else
-    direction = jet_at(curve, reversed ? 1 - 1e-4 : 1e-4).point - jet.point;
+    direction = jet_at(curve, reversed ? 1 - kBesideVertex : kBesideVertex).point - jet.point;
   return {walk,      std::atan2(direction[1], direction[0]),
           curvature, std::atan2(cross(direction, far), dot(direction, far)),
           &arc.path, lead,

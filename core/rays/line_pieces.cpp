@@ -69,11 +69,12 @@ void LineSearch::halve(const Piece& piece, int place, bool along_u) {
 // f and g over the cell, in the first place. g is the height over the tangent plane as far as the
 // line allows, so that it is small where the line is nearly tangent.
 void LineSearch::load_net() {
+  constexpr double kAlongNormal = 1e-3;  // radians: a normal so near to the line gives no direction
   const Vec3& d = ray_.direction;
   const PatchJet jet = jet_at(*patch_, at(cell_->u, 0.5), at(cell_->v, 0.5), 1);
   const Vec3 normal = unit(cross(jet.u, jet.v));
   const Vec3 height = normal - (dot(normal, d) / square_) * d;
-  across_[1] = norm(height) > 1e-3 ? unit(height) : any_across(d);
+  across_[1] = norm(height) > kAlongNormal ? unit(height) : any_across(d);
   across_[0] = unit(cross(d, across_[1]));
   double* const net = net_at(0);
   load_heights(across_[0], net);

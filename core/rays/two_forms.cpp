@@ -80,13 +80,15 @@ bool is_contraction(const Matrix2& e) {
 // From p a root x has x - p = -G(p) to within E |x - p|; that must not lead out of the region.
 bool leads_outside(const Matrix2& e, const Vec2& offset, const Vec2& rounding,
                    const Vec2& outside) {
+  constexpr double kRoundingOfDrift =
+      1e-9;  // part of the drift: many times what few products round
   Vec2 size;
   for (int k = 0; k < 2; ++k) size[k] = std::abs(offset[k]) + rounding[k];
   const Vec2 reach = root_distance(e, size);
   for (std::size_t i = 0; i < 2; ++i) {
     const int k = static_cast<int>(i);
     const double drift = e[i][0] * reach[0] + e[i][1] * reach[1];
-    if (-offset[k] * outside[k] > (drift + rounding[k]) * (1 + 1e-9)) return true;
+    if (-offset[k] * outside[k] > (drift + rounding[k]) * (1 + kRoundingOfDrift)) return true;
   }
   return false;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/tolerances.h"
 #include "core/regions/arc_forms.h"
 #include "core/regions/limits.h"
 #include "core/regions/line_runs.h"
@@ -26,7 +27,7 @@ inline constexpr int kCommonArcs = 3;
 struct RegionOptions {
   /// How far the border of the pieces may lie from the trims, along the surface, and lowered ones
   /// besides from the surface; model units.
-  double tolerance = 1e-7;
+  double tolerance = Tolerances{}.point;
   /// Of triangles, at least n + m. Where trims have no exact arcs of a degree that leaves, or
   /// borders are common, surfaces are composed in up to kMaxComposed over arcs of degree
   /// kCommonArcs, and lowered: with common borders by those who move them.

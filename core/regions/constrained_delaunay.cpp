@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/errors.h"
+#include "core/base/not_zero.h"
 #include "core/regions/plane_predicates.h"
 
 namespace blossom {
@@ -21,7 +22,7 @@ ConstrainedDelaunay::ConstrainedDelaunay(std::vector<Vec2> points) : points_(std
       high[k] = std::max(high[k], p[k]);
     }
   const Vec2 middle = 0.5 * (low + high);
-  const double size = kFarAway * std::max({high[0] - low[0], high[1] - low[1], 1e-300});
+  const double size = kFarAway * std::max({high[0] - low[0], high[1] - low[1], kNotZero});
   first_far_ = static_cast<int>(points_.size());
   points_.push_back(middle + Vec2{-size, -size});
   points_.push_back(middle + Vec2{size, -size});

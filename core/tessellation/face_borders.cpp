@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/not_zero.h"
 #include "core/tessellation/limits.h"
 
 namespace blossom {
@@ -14,7 +15,7 @@ constexpr double kStraight = 1e-9;      // relative to the side
 
 double relative_height(const Vec2& a, const Vec2& middle, const Vec2& b) {
   const Vec2 d = b - a;
-  return std::abs(cross(d, middle - a)) / std::max(dot(d, d), 1e-300);
+  return std::abs(cross(d, middle - a)) / std::max(dot(d, d), kNotZero);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/not_zero.h"
 #include "core/forms/evaluation.h"
 #include "core/math/index.h"
 #include "core/subdivision/patch_subdivision.h"
@@ -49,8 +50,8 @@ int wanted_parts(const CellJet& whole, double h_u, double h_v, double fine) {
   const double size = sum(norm(jet.uu.centre), norm(jet.uv.centre), norm(jet.vv.centre));
   if (change + size <= 8 * kNoBend * fine) return 1;
   const double turn =
-      std::max(norm(whole.first_u.radius) / std::max(norm(whole.first_u.centre), 1e-300),
-               norm(whole.first_v.radius) / std::max(norm(whole.first_v.centre), 1e-300));
+      std::max(norm(whole.first_u.radius) / std::max(norm(whole.first_u.centre), kNotZero),
+               norm(whole.first_v.radius) / std::max(norm(whole.first_v.centre), kNotZero));
   const double parts =
       std::max(change / std::max(kMuchChange * size, 8 * kNoBend * fine), turn / kMuchTurn);
   return static_cast<int>(std::clamp(std::ceil(parts), 1.0, double{kMostParts}));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/not_zero.h"
 #include "core/base/parallel.h"
 #include "core/forms/algebra/degree.h"
 #include "core/math/series/power_series.h"
@@ -188,7 +189,7 @@ class Proof {
   // The same with the conic in place of the spline in space.
   void add_span(const QuinticPoints& points, const Interval& range, const Conic& conic) {
     const double bend = sixth_derivative_bound(conic, range);
-    const double widest = std::pow(46080 * kConicError / std::max(bend, 1e-300), 1.0 / 6);
+    const double widest = std::pow(46080 * kConicError / std::max(bend, kNotZero), 1.0 / 6);
     const int count = static_cast<int>(std::ceil(length(range) / std::min(widest, length(range))));
     const auto cut = [&](int i) { return static_cast<double>(i) / count; };
     for (int i = 0; i < count; ++i) {

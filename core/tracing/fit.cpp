@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/not_zero.h"
 #include "core/base/parallel.h"
 #include "core/tracing/conic_fit.h"
 #include "core/tracing/deviation.h"
@@ -34,6 +35,9 @@ constexpr double kMinError = 1e-12;       // of the wanted accuracy: a smaller e
 constexpr double kWidening = 0.6;         // of spans, over a unit of length
 constexpr std::size_t kMinSamples = 49;
 constexpr double kCountRounding = 1e-9;  // of samples
+constexpr double kWholeSpan = 1e-9;      // of a span: a rest that needs none of its own
+constexpr double kSagOfSize = 1e-4;      // a chord may leave a curve by this part of the surfaces,
+constexpr double kSagOfRun = 1e-3;       // and of the run, whose loops may be small
 constexpr std::size_t kRunGrain = 8;     // runs that one thread fits in a row
 constexpr std::size_t kSampleGrain = 8;  // pieces that it takes samples on
 constexpr double kLastStep = 1e-8;  // of the size: Newton's step from there to a sample is exact
@@ -96,7 +100,7 @@ std::vector<double> knots_of(const Density& density) {
   double total = 0;
   for (std::size_t i = 0; i < density.values.size(); ++i)
     total += density.values[i] * (density.parameters[i + 1] - density.parameters[i]);
-  const double spans = std::max(1.0, std::ceil(total - 1e-9));
+  const double spans = std::max(1.0, std::ceil(total - kWholeSpan));
   std::vector<double> knots{density.parameters.front()};
   double reached = 0;
   std::size_t i = 0;
@@ -320,7 +324,8 @@ class Fitter {
             high[k] = std::max(high[k], x[k]);
           }
         }
-    return std::max(std::min(1e-4 * options_.size, 1e-3 * distance(low, high)), 1e-300);
+    return std::max(std::min(kSagOfSize * options_.size, kSagOfRun * distance(low, high)),
+                    kNotZero);
   }
 
   // Exact points, dense enough to draw and to compare the curve by its chords.

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <span>
 
+#include "core/base/not_zero.h"
 #include "core/math/binomial.h"
 #include "core/math/four.h"
 #include "core/math/roundoff.h"
@@ -353,7 +354,7 @@ ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
   make_net(patch, origin, net);
   const double size = std::max(std::max(net.size[0], net.size[1]), net.size[2]);
   const ChartStep in_u(u), in_v(v);
-  const double limit = 0.25 * negligible / std::max(size, 1e-300);
+  const double limit = 0.25 * negligible / std::max(size, kNotZero);
   const double all_u = power(1 + 2 * in_u.reach, net.n);
   const double all_v = power(1 + 2 * in_v.reach, net.m);
   const Kept kept_u(net.n, in_u.reach, limit / all_v), kept_v(net.m, in_v.reach, limit / all_u);

@@ -127,10 +127,13 @@ Step step_by_conic(const TracePoint& p, const TracePoint& q, const Conic& conic)
   return step;
 }
 
+// Part of the scale: vectors that are shorter are compared by it.
+constexpr double kLeastOfScale = 1e-3;
+
 // A difference beyond rounding, measured against the values and a part of `scale`.
 template <int Dim>
 bool jumps(const Vec<double, Dim>& x, const Vec<double, Dim>& y, double scale, double relative) {
-  return distance(x, y) > relative * std::max(norm(x) + norm(y), 1e-3 * scale);
+  return distance(x, y) > relative * std::max(norm(x) + norm(y), kLeastOfScale * scale);
 }
 
 // Of a knot where one link meets the next: in space and in both charts.
@@ -155,16 +158,18 @@ bool on_knot(const std::vector<double>& knots, double parameter) {
 // The distance of a piece's middle to a point near it, by the distance to the tangent line of the
 // nearest parameter.
 double distance_from(const QuinticPiece& piece, const Vec3& point) {
+  constexpr double kSecant = 1e-4;  // part of the piece: a difference in place of a derivative
   double best = 1e300, t = 0.5;
   for (int step = 0; step < 6; ++step) {
     const Vec3 x = space(value_at(piece.points, t));
     const double gap = distance(x, point);
     if (gap >= best) break;
     best = gap;
-    const Vec3 rate = (space(value_at(piece.points, std::min(t + 1e-4, 1.0))) - x) * 1e4;
+    const Vec3 rate =
+        (space(value_at(piece.points, std::min(t + kSecant, 1.0))) - x) * (1 / kSecant);
     const double square = dot(rate, rate);
     if (square == 0) break;
-    t = std::clamp(t + dot(point - x, rate) / square, 0.0, 0.9999);
+    t = std::clamp(t + dot(point - x, rate) / square, 0.0, 1 - kSecant);
   }
   return best;
 }

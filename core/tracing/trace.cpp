@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/not_zero.h"
 #include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/gap/contact_points.h"
@@ -117,7 +118,7 @@ ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, Surface
     const double sum = distance(from, middle) + distance(middle, to);
     if (i > 0) known_points_.push_back(origin + (chain.links[i].forward ? from : to));
     known_points_.push_back(origin + middle);
-    stations_.push_back(stations_.back() + std::max(sum, 1e-300));
+    stations_.push_back(stations_.back() + std::max(sum, kNotZero));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adapters/occt/bodies.h"
+#include "core/base/tolerances.h"
 #include "plugin/reports/json.h"
 #include "plugin/reports/measured_input.h"
 
@@ -23,7 +24,7 @@ using DistanceLimits = std::function<DistanceOptions()>;
 
 /// How two models lie to each other, and how far apart they are.
 struct DistanceAnswer {
-  double tolerance = 1e-7;
+  double tolerance = Tolerances{}.point;
   DistanceBounds bounds{};      ///< 0 where they have points in common
   DistanceBounds boundaries{};  ///< of the faces, edges and vertices
   occt::ShapePoint a{}, b{};    ///< the nearest points of the boundaries
@@ -50,7 +51,7 @@ Json meeting_report(const MeasuredInput& a, const MeasuredInput& b, const Distan
 
 /// What of a model is nearest to a point.
 struct PointAnswer {
-  double tolerance = 1e-7;
+  double tolerance = Tolerances{}.point;
   Vec3 at;
   occt::ShapeDistance nearest{};
   std::vector<occt::PointPlace> places{};  ///< of the point to each body

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adapters/occt/ray_casting.h"
+#include "core/base/tolerances.h"
 #include "plugin/reports/input.h"
 #include "plugin/reports/json.h"
 
@@ -15,7 +16,7 @@ struct RayAnswer {
   Ray ray{};                ///< its direction is a unit vector
   bool line = false;        ///< both ways
   bool first_only = false;  ///< no further than the first proven hit
-  double tolerance = 1e-7;
+  double tolerance = Tolerances{}.point;
   std::vector<occt::ShapeHit> hits{};
   Status status = Status::Complete;
   double seconds = 0;

@@ -29,11 +29,12 @@ std::string edge_name(int edge) { return "edge " + std::to_string(edge); }
 
 // The unit normal of the surface; beside a pole where there is none.
 Vec3 normal_at(const Handle(Geom_Surface) & surface, Vec2 uv) {
+  constexpr double kNoSine = 1e-12;  // between both derivatives: at a pole but for rounding
   Vec3 normal;
   for (int i = 0; i < 4; ++i, uv += Vec2{kStep, kStep}) {
     const SurfaceFrame frame = frame_at(surface, uv);
     normal = cross(frame.du, frame.dv);
-    if (norm(normal) > 1e-12 * norm(frame.du) * norm(frame.dv) && norm(normal) > 0) break;
+    if (norm(normal) > kNoSine * norm(frame.du) * norm(frame.dv) && norm(normal) > 0) break;
   }
   return unit(normal);
 }

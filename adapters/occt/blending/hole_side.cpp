@@ -64,8 +64,9 @@ struct Local {
 };
 
 double snapped(double t) {
-  if (std::abs(t) <= 1e-9) return 0;
-  return std::abs(t - 1) <= 1e-9 ? 1 : t;
+  constexpr double kAtSpanEnd = 1e-9;  // part of a span: rounding of what files write
+  if (std::abs(t) <= kAtSpanEnd) return 0;
+  return std::abs(t - 1) <= kAtSpanEnd ? 1 : t;
 }
 
 /// The span that holds both ends; at a knot the one towards `hint`, +1 or -1.

@@ -11,6 +11,7 @@
 
 #include "adapters/occt/coincidence/conic_images.h"
 #include "adapters/occt/coincidence/places.h"
+#include "core/base/not_zero.h"
 #include "core/tracing/deviation.h"
 
 namespace blossom::occt {
@@ -46,7 +47,7 @@ void widen_charts(const Handle(Geom_Surface) & surface, const Vec2& uv, double r
   const SurfaceFrame frame = frame_at(surface, uv);
   for (int d = 0; d < 2; ++d) {
     const double size = norm(d == 0 ? frame.du : frame.dv);
-    const double beside = std::min(reach / std::max(size, 1e-300), kWidest);
+    const double beside = std::min(reach / std::max(size, kNotZero), kWidest);
     ranges[d] = {uv[d] - beside, uv[d] + beside};
   }
 }

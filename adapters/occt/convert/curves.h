@@ -9,6 +9,7 @@
 #include <Geom_Curve.hxx>
 
 #include "adapters/occt/convert/arc_cuts.h"
+#include "core/base/tolerances.h"
 #include "core/forms/conic.h"
 #include "core/forms/curve.h"
 #include "core/forms/curve_spans.h"
@@ -28,7 +29,7 @@ RationalBezierCurve from_occt(const Geom_BezierCurve& curve);
 /// throws   BadModel if the range is not finite, empty or outside of the curve, a number of the
 ///          curve is not finite or a weight not positive
 CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range,
-                        double tolerance = 1e-7, ArcCuts cuts = ArcCuts::Even);
+                        double tolerance = Tolerances{}.point, ArcCuts cuts = ArcCuts::Even);
 
 /// A Bezier curve with the same points; polynomial, and bit for bit, when all weights are 1.
 /// throws   Failure if Open CASCADE refuses the points

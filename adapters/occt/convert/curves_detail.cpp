@@ -10,6 +10,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/limits.h"
 
 namespace blossom::occt {
 namespace {
@@ -159,11 +160,12 @@ void SpanForm::bezier_points(const Vec4* poles, Vec4* points) const {
 }
 
 std::vector<ArcSpan> arc_spans(const Interval& angles, ArcCuts cuts) {
-  constexpr double kOffEven = 0.113;  // of a span
+  constexpr double kOffEven = 0.113;    // of a span
+  constexpr double kRoundTurn = 1e-12;  // part of a turn: what is missing is rounding
   const double turn = 2 * std::numbers::pi;
   const double size = length(angles);
-  const int count = std::max(1, static_cast<int>(std::ceil(size / (turn / 4) - 1e-9)));
-  const bool whole = std::abs(size - turn) <= 1e-12 * turn;
+  const int count = std::max(1, static_cast<int>(std::ceil(size / (turn / 4) - kQuarterSlack)));
+  const bool whole = std::abs(size - turn) <= kRoundTurn * turn;
   std::vector<ArcSpan> spans;
   const double off = cuts == ArcCuts::Shifted ? kOffEven * (size / count) : 0;
   const auto start = [&](int i) {
@@ -247,7 +249,7 @@ Interval checked_range(const Interval& range, const Interval& natural, const std
       std::abs(range.to) > 1e99)
     throw BadModel(what + " is not finite");
   if (!(range.from < range.to)) throw BadModel(what + " is empty: " + text(range));
-  const double slack = 1e-9 * length(range);
+  const double slack = kRangeRounding * length(range);
   if (range.from < natural.from - slack || range.to > natural.to + slack)
     throw BadModel(what + ", " + text(range) + ", leaves the natural bounds " + text(natural));
   const Interval inside{std::max(range.from, natural.from), std::min(range.to, natural.to)};

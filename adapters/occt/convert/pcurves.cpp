@@ -24,6 +24,7 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/convert/limits.h"
 
 namespace blossom::occt {
 namespace {
@@ -35,8 +36,8 @@ constexpr double kEven = 1e-12;  // of the largest coordinate: rounding of fitte
 // C(a) = centre + cos a * x + sin a * y, over the range of the angle, in arcs of at most a
 // quarter; the middle weight of an arc of half angle h is cos h.
 PlanarCurve conic(const Vec2& centre, const Vec2& x, const Vec2& y, const Interval& range) {
-  const int count =
-      std::max(1, static_cast<int>(std::ceil(length(range) / (std::numbers::pi / 2) - 1e-9)));
+  const int count = std::max(
+      1, static_cast<int>(std::ceil(length(range) / (std::numbers::pi / 2) - kQuarterSlack)));
   PlanarCurve curve;
   for (int k = 0; k < count; ++k) {
     const Interval place{at(range, static_cast<double>(k) / count),
@@ -91,10 +92,11 @@ PlanarCurve spans(const Handle(Geom2d_BSplineCurve) & given, const Interval& ran
 // Keeps the parameter, which an exact conversion of a hyperbola, say, would not.
 PlanarCurve approximated(const Handle(Geom2d_Curve) & curve, const Interval& range) {
   const Handle(Geom2d_TrimmedCurve) trimmed = new Geom2d_TrimmedCurve(curve, range.from, range.to);
+  constexpr double kLeastChart = 1e-6;  // units of the chart: smaller curves are fitted no better
   const double size = curve->Value(range.from).Distance(curve->Value(range.to)) +
                       curve->Value(range.from).Distance(curve->Value(at(range, 0.5)));
-  Geom2dConvert_ApproxCurve convert(trimmed, kRelativeError * std::max(size, 1e-6), GeomAbs_C1,
-                                    kMaxChartSpans, 8);
+  Geom2dConvert_ApproxCurve convert(trimmed, kRelativeError * std::max(size, kLeastChart),
+                                    GeomAbs_C1, kMaxChartSpans, 8);
   if (!convert.HasResult())
     throw BadModel(std::string("a parametric curve of type ") + curve->DynamicType()->Name() +
                    " cannot be converted");

@@ -70,7 +70,7 @@ BezierSurface patches_of(const Handle(Geom_Surface) & surface, const ParameterBo
 }
 
 template <class Surface>
-void check_poles(const Surface& surface) {
+void check_surface_poles(const Surface& surface) {
   const bool rational = surface.IsURational() || surface.IsVRational();
   for (int i = 1; i <= surface.NbUPoles(); ++i)
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
@@ -126,9 +126,9 @@ void check_radius(const Geom_Surface& surface) {
 
 void check_numbers(const Geom_Surface& surface) {
   if (const auto* bezier = dynamic_cast<const Geom_BezierSurface*>(&surface)) {
-    check_poles(*bezier);
+    check_surface_poles(*bezier);
   } else if (const auto* spline = dynamic_cast<const Geom_BSplineSurface*>(&surface)) {
-    check_poles(*spline);
+    check_surface_poles(*spline);
     check_knots(*spline);
   } else if (const auto* trimmed = dynamic_cast<const Geom_RectangularTrimmedSurface*>(&surface)) {
     check_numbers(*trimmed->BasisSurface());

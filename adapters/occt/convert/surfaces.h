@@ -9,6 +9,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/convert/arc_cuts.h"
+#include "core/base/tolerances.h"
 #include "core/forms/patch.h"
 #include "core/forms/surface.h"
 #include "core/math/interval.h"
@@ -48,11 +49,11 @@ Handle(Geom_BezierSurface) to_occt(const RationalBezierPatch& patch);
 /// throws   BadModel if the box is not finite, empty or outside, a number is not finite or a
 ///          weight not positive
 BezierSurface bezier_surface(const Handle(Geom_Surface) & surface, const ParameterBox& box,
-                             double tolerance = 1e-7, ArcCuts cuts = ArcCuts::Even);
+                             double tolerance = Tolerances{}.point, ArcCuts cuts = ArcCuts::Even);
 
 /// The surface under a face over the box of the face's trims, in model space (the face's
 /// location applied).
-BezierSurface bezier_surface(const TopoDS_Face& face, double tolerance = 1e-7);
+BezierSurface bezier_surface(const TopoDS_Face& face, double tolerance = Tolerances{}.point);
 
 /// The parameter box of a face's trims, clipped to the surface's natural bounds. Borders within
 /// 1e-9 of the range from a natural bound, a seam or a whole turn lie exactly there, and within

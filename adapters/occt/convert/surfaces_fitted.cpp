@@ -12,6 +12,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/convert/limits.h"
 #include "adapters/occt/convert/surfaces_detail.h"
 
 namespace blossom::occt {
@@ -152,7 +153,7 @@ class SurfaceFit {
 /// The ends of a range and the places inside where the surface is not smooth.
 std::vector<double> smooth_breaks(const TColStd_Array1OfReal& found, const Interval& range) {
   std::vector<double> breaks{range.from};
-  const double sliver = 1e-9 * length(range);
+  const double sliver = kRangeRounding * length(range);
   for (const double place : found)
     if (place > breaks.back() + sliver && place < range.to - sliver) breaks.push_back(place);
   breaks.push_back(range.to);

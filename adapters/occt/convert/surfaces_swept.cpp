@@ -181,7 +181,8 @@ Handle(Geom_Surface) elementary_offset(const Geom_OffsetSurface& offset, const P
     for (const double t : {0.15, 0.5, 0.9}) {
       const double u = at(box.u, s), v = at(box.v, t);
       const gp_Pnt wanted = offset.Value(u, v);
-      const double rounding = 1e-13 * (1 + wanted.XYZ().Modulus());
+      constexpr double kOffsetRounding = 1e-13;  // some hundred roundings of a coordinate
+      const double rounding = kOffsetRounding * (1 + wanted.XYZ().Modulus());
       if (found->Value(u, v).Distance(wanted) > rounding) return nullptr;
     }
   return Handle(Geom_Surface)(found);

@@ -22,6 +22,7 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/faces/face_trims.h"
+#include "core/base/not_zero.h"
 #include "core/forms/iso_line.h"
 #include "core/math/quadrature.h"
 
@@ -249,7 +250,7 @@ class Density {
   // of rounding's width its normals are noise, of which no accuracy can be had. Trims may stray
   // over its border, beyond which there is nothing.
   Values strip(double x, double y, double height, int cells) const {
-    const Values tolerance = tolerance_ * (1 / std::max(height, 1e-300));
+    const Values tolerance = tolerance_ * (1 / std::max(height, kNotZero));
     Values sum;
     if (y < y_knots_.front() || y > y_knots_.back()) return sum;
     x = std::clamp(x, x_knots_.front(), x_knots_.back());

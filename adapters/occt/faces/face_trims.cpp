@@ -169,7 +169,7 @@ double farthest_past(const PlanarBezier& piece, const PlanarBox& bounds, double 
                      int halvings) {
   const double most = past(box_of(piece.points), bounds);
   for (const Vec3& end : {piece.points.front(), piece.points.back()})
-    known = std::max(known, past(box_of({&end, 1}), bounds));
+    known = std::max(known, past(box_of(std::span<const Vec3>(&end, 1)), bounds));
   if (most <= known + kOnBorder || halvings == 0) return std::max(most, known);
   for (const Interval& half : {Interval{0, 0.5}, Interval{0.5, 1}})
     known = farthest_past(bezier_piece(piece, half), bounds, known, halvings - 1);

@@ -16,6 +16,7 @@
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/splitting/edge_splits.h"
 #include "adapters/occt/trim_tool.h"
+#include "core/base/tolerances.h"
 #include "core/base/work_limit.h"
 #include "core/forms/conic.h"
 #include "core/forms/spline.h"
@@ -238,6 +239,6 @@ class FaceSplitter {
 
 /// One face by itself.
 FaceSplit split_face(const TopoDS_Face& face, const std::vector<FaceCut>& cuts,
-                     double tolerance = 1e-7, OpenCuts open = OpenCuts::LeaveOut);
+                     double tolerance = Tolerances{}.point, OpenCuts open = OpenCuts::LeaveOut);
 
 }  // namespace blossom::occt

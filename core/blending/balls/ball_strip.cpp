@@ -13,6 +13,7 @@
 #include "core/blending/balls/detail/analytic_strip.h"
 #include "core/blending/balls/detail/row_spline.h"
 #include "core/blending/balls/detail/strip_section.h"
+#include "core/blending/balls/limits.h"
 #include "core/tracing/deviation.h"
 
 namespace blossom {
@@ -310,12 +311,12 @@ void prove_gap(const BezierSurface& surface, StripContactCurve& contact) {
       low = std::min(low, p[d]), high = std::max(high, p[d]);
     if (d == 0 ? surface.closed_u : surface.closed_v) {
       const double period = last - first;
-      const double shift = -period * std::floor((low - first) / period + 1e-9);
+      const double shift = -period * std::floor((low - first) / period + kRangeSlack);
       for (Vec2& p : curve.chart_a.points) p[d] += shift;
       low += shift;
       high += shift;
     }
-    const double slack = 1e-9 * (last - first);
+    const double slack = kRangeSlack * (last - first);
     if (low < first - slack || high > last + slack) {
       contact.proven = false;
       return;

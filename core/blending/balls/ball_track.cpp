@@ -171,13 +171,14 @@ double BallTrack::nearest(const Vec3& centre) const {
   const double low = nodes_[best == 0 ? 0 : best - 1].parameter,
                high = nodes_[std::min(best + 1, nodes_.size() - 1)].parameter;
   double p = nodes_[best].parameter;
+  constexpr double kLastOfTrack = 1e-15;  // part of the stretch: a few roundings
   for (int step = 0; step < kNearestSteps; ++step) {
     const BallPoint ball = at(p);
     const double speed = dot(ball.centre_rate, ball.centre_rate);
     if (!(speed > 0)) break;
     const double next =
         std::clamp(p - dot(ball.centre - centre, ball.centre_rate) / speed, low, high);
-    if (std::abs(next - p) <= 1e-15 * (high - low)) break;
+    if (std::abs(next - p) <= kLastOfTrack * (high - low)) break;
     p = next;
   }
   return p;

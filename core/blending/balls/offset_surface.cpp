@@ -13,6 +13,7 @@
 #include "core/base/errors.h"
 #include "core/blending/balls/chart_cell.h"
 #include "core/blending/balls/detail/ball_equations.h"
+#include "core/blending/balls/limits.h"
 #include "core/forms/algebra/conversion.h"
 #include "core/forms/algebra/interpolation.h"
 #include "core/forms/evaluation.h"
@@ -233,7 +234,7 @@ OffsetSurface OffsetFit::fitted(std::vector<double> u, std::vector<double> v) {
 // The ends of a range and the knots inside of it; of a closed direction the part may begin before
 // its knots or end behind them.
 std::vector<double> knots_in(const std::vector<double>& knots, const Interval& range, bool closed) {
-  const double slack = 1e-9 * length(range), period = knots.back() - knots.front();
+  const double slack = kRangeSlack * length(range), period = knots.back() - knots.front();
   std::vector<double> result{range.from, range.to};
   const double first = closed ? std::floor((range.from - knots.front()) / period) : 0;
   for (const double turns : {first, first + (closed ? 1 : 0)})

@@ -65,7 +65,8 @@ bool nearer_backward(const Border& a, const Border& b) {
       distance(point_at(a, 0), point_at(b, 0)) + distance(point_at(a, 1), point_at(b, 1));
   const double backward =
       distance(point_at(a, 0), point_at(b, 1)) + distance(point_at(a, 1), point_at(b, 0));
-  const bool tie = std::abs(forward - backward) <= 1e-9 * (forward + backward);
+  constexpr double kEqualSums = 1e-9;  // part of both: rounding does not choose
+  const bool tie = std::abs(forward - backward) <= kEqualSums * (forward + backward);
   return tie ? mean_distance(a, b, true) < mean_distance(a, b, false) : backward < forward;
 }
 

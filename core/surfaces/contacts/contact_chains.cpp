@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/not_zero.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_extent.h"
 #include "core/surfaces/contacts/contact_reach.h"
@@ -103,7 +104,7 @@ class Joiner {
       for (std::size_t k = 0; k + 1 < path.size(); ++k) {
         const Vec2 run = difference(over_a(j, path[k + 1]), over_a(j, path[k]));
         const Vec2 to = difference(over_a(i, x), over_a(j, path[k]));
-        const double t = std::clamp(dot(to, run) / std::max(dot(run, run), 1e-300), 0.0, 1.0);
+        const double t = std::clamp(dot(to, run) / std::max(dot(run, run), kNotZero), 0.0, 1.0);
         if (norm(to - t * run) <= reach) return true;
       }
       return false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/not_zero.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/gap/contact_points.h"
@@ -32,7 +33,7 @@ std::optional<ContactPoint> nearest_on_lines(const PairSearchResult& found, Surf
       const Vec3 from = jet_at(patch, path[i][0], path[i][1], 1).point;
       const Vec3 step = jet_at(patch, path[i + 1][0], path[i + 1][1], 1).point - from;
       const double t =
-          std::clamp(dot(x - from, step) / std::max(dot(step, step), 1e-300), 0.0, 1.0);
+          std::clamp(dot(x - from, step) / std::max(dot(step, step), kNotZero), 0.0, 1.0);
       const double gap = distance(x, from + step * t);
       if (gap >= least) continue;
       least = gap;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/not_zero.h"
 
 namespace blossom {
 namespace {
@@ -29,7 +30,7 @@ void join_meeting(const std::vector<CriticalPair>& pairs, DisjointSets& sets) {
 void join_over_grid(const std::vector<CriticalPair>& pairs, DisjointSets& sets) {
   Box all;
   for (const CriticalPair& pair : pairs) all = joined(all, box_of(pair));
-  const double whole = std::max(diagonal(all), 1e-300);
+  const double whole = std::max(diagonal(all), kNotZero);
   double cubes = 0;
   for (const CriticalPair& pair : pairs) cubes += std::pow(diagonal(box_of(pair)) / whole, 3);
   const double mean = std::cbrt(cubes / static_cast<double>(pairs.size()));

@@ -124,8 +124,9 @@ class NodeSearch {
     const double uu = product(slope[0], slope[0]), uv = product(slope[0], slope[1]),
                  vv = product(slope[1], slope[1]);
     const double u = product(slope[0], h), v = product(slope[1], h);
+    constexpr double kOneDirection = 1e-12;  // square of the sine between both: 1e-6 radians
     const double determinant = uu * vv - uv * uv;
-    if (!(determinant > 1e-12 * uu * vv)) return std::nullopt;
+    if (!(determinant > kOneDirection * uu * vv)) return std::nullopt;
     return Vec2{(u * vv - v * uv) / determinant, (v * uu - u * uv) / determinant};
   }
 

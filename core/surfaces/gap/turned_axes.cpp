@@ -27,13 +27,15 @@ Polynomial TurnedAxes::along_edge(const TaylorPolynomial& p, int edge) const {
 }
 
 double TurnedAxes::chord_end(double w, int side) const {
+  constexpr double kAlongChord = 1e-9;  // radians: a side so nearly along the chord does not end it
+  constexpr double kBeyondChord = 0.02;  // part of half a cell: neighbours overlap by so much
   double end = 1e300;
   for (int k = 0; k < 2; ++k) {
     const double rate = side == 0 ? -z_axis[k] : z_axis[k];
     const double start = w_axis[k] * w;
-    if (std::abs(rate) > 1e-9) end = std::min(end, ((rate > 0 ? 1 : -1) - start) / rate);
+    if (std::abs(rate) > kAlongChord) end = std::min(end, ((rate > 0 ? 1 : -1) - start) / rate);
   }
-  end += 0.02;
+  end += kBeyondChord;
   return side == 0 ? -end : end;
 }
 

@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/tolerances.h"
 #include "core/cells/points.h"
 #include "core/surfaces/gap/gap_model.h"
 
@@ -40,8 +41,8 @@ struct ValleyCell {
 };
 
 struct ValleyOptions {
-  double tolerance = 1e-7;  ///< model units
-  double size = 1;          ///< of the surfaces, model units
+  double tolerance = Tolerances{}.point;  ///< model units
+  double size = 1;                        ///< of the surfaces, model units
 };
 
 /// Reads a cell of surface a by its gap model.

@@ -83,12 +83,13 @@ bool ValleyLabels::find_roots() {
 // gap >= m + slope^2 / (2 bend), so it ends where slope^2 = 8 tolerance bend.
 void ValleyLabels::add_zone(std::size_t edge, double along, std::vector<double>& cuts) const {
   const double limit = std::sqrt(8 * tolerance_ * shape_.bend_high) + shape_.error[1];
+  constexpr double kFirstOfZone = 1e-4, kZoneGrowth = 1.3;  // part of half an edge; steps go on so
   const Polynomial& slope = edge_slope_[edge];
   for (const double direction : {-1.0, 1.0}) {
-    double step = 1e-4, t = along;
+    double step = kFirstOfZone, t = along;
     while (std::abs(value(slope, t)) < limit && std::abs(t) < 1) {
       t = std::clamp(t + direction * step, -1.0, 1.0);
-      step *= 1.3;
+      step *= kZoneGrowth;
     }
     cuts.push_back(t);
   }

@@ -10,6 +10,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/distance.h"
+#include "core/base/tolerances.h"
 #include "core/math/vec.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/options.h"
@@ -22,7 +23,7 @@ namespace blossom::cli {
 using reports::ShapeNumbers;
 
 struct QueryOptions : CommonOptions {
-  double tolerance = 1e-7;
+  double tolerance = Tolerances{}.point;
 };
 
 /// Those of reports, and --tolerance.

@@ -19,6 +19,7 @@
 #include "adapters/occt/blending/strips/end_curves.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/fillet.h"
+#include "core/base/tolerances.h"
 
 namespace blossom::occt {
 
@@ -46,10 +47,10 @@ struct BallWalk {
 
 /// What a walk has to know.
 struct WalkOptions {
-  FilletOptions fillet;                ///< radii, section, chamfer
-  double tolerance = 1e-7;             ///< model units
-  std::set<int> filleted;              ///< all edges that have fillets
-  std::function<void()> tick = [] {};  ///< called for each strip; may throw to stop
+  FilletOptions fillet;                   ///< radii, section, chamfer
+  double tolerance = Tolerances{}.point;  ///< model units
+  std::set<int> filleted;                 ///< all edges that have fillets
+  std::function<void()> tick = [] {};     ///< called for each strip; may throw to stop
 };
 
 /// One walk along all edges of the run. Where the ball would come to a sharp edge beside a vertex

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/blending/balls/limits.h"
 #include "core/math/linear_solve.h"
 
 namespace blossom {
@@ -55,7 +56,7 @@ double step_size(const Vec4& step, const Vec4& x, const Vec4& extents) {
 
 bool is_sound(const ChartRectangle& part, const BezierSurface& surface) {
   const auto inside = [](const Interval& range, const std::vector<double>& knots, bool closed) {
-    const double slack = 1e-9 * (knots.back() - knots.front());
+    const double slack = kRangeSlack * (knots.back() - knots.front());
     if (!(length(range) > 0)) return false;
     if (closed) return length(range) <= knots.back() - knots.front() + slack;
     return range.from >= knots.front() - slack && range.to <= knots.back() + slack;
@@ -70,8 +71,9 @@ std::optional<OffsetJet> offset_jet(const BezierSurface& surface, const ChartCel
                                     const Vec2& uv, int side, double radius) {
   const PatchJet s = chart_jet(surface, cell, uv, 2);
   const Vec3 across = cross(s.u, s.v);
+  constexpr double kNoNormal = 1e-14;  // sine of the angle between both: its rounding
   const double size = norm(across);
-  if (!(size > 1e-14 * norm(s.u) * norm(s.v))) return std::nullopt;
+  if (!(size > kNoNormal * norm(s.u) * norm(s.v))) return std::nullopt;
   const Vec3 n = across * (1 / size);
   const Vec3 n_u = normal_rate(cross(s.uu, s.v) + cross(s.u, s.uv), n, size);
   const Vec3 n_v = normal_rate(cross(s.uv, s.v) + cross(s.u, s.vv), n, size);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/blending/balls/detail/ball_tracer.h"
+#include "core/base/not_zero.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,9 @@ constexpr double kAlongLine = 1e-8;  // of a direction's size: less does not lea
 constexpr double kSamePoint = 1e-7;  // where a loop closes
 constexpr int kMaxNodes = 100'000;
 constexpr int kEventSteps = 30;
+constexpr double kSameStep = 1e-14;  // of the longest step: rounding of an event
+constexpr double kSameLine = 1e-15;  // and of its place, part of the size
+constexpr double kCaution = 0.9;     // of the step that would just be good enough
 
 struct Place {
   Vec4 x;
@@ -182,7 +186,7 @@ std::optional<Place> Walker::at_event(double h, const Event& event) const {
     if (!std::isfinite(change)) return std::nullopt;
     h += change;
     if (h < 0 || std::abs(change) * size(*slope) > 1) return std::nullopt;
-    if (std::abs(change) <= 1e-14 * h_ || std::abs(change) * size(*slope) <= 1e-15) break;
+    if (std::abs(change) <= kSameStep * h_ || std::abs(change) * size(*slope) <= kSameLine) break;
   }
   if (system_.is_driven()) return y;
   const auto x = system_.solved(y->x, cells_, y->parameter, event());
@@ -240,7 +244,7 @@ bool Walker::closes(const Walk& walk, Place& next, double h) const {
   ChartPlane plane;
   for (int k = 0; k < 4; ++k) plane.row[k] = rate_[k] / (extents_[k] * extents_[k]);
   plane.value = dot(plane.row, start);
-  const double part = size(start - at_.x) / std::max(size(next.x - at_.x), 1e-300);
+  const double part = size(start - at_.x) / std::max(size(next.x - at_.x), kNotZero);
   const auto place = at_event(h * std::clamp(part, 0.0, 1.0), [&] { return plane; });
   if (!place || size(place->x - start) > kSamePoint) return false;
   next = {start, place->parameter};
@@ -280,7 +284,7 @@ bool Walker::advance(Walk& walk) {
   for (double h = std::min(h_, longest_step()); h * speed > kShortestStep;) {
     double error = 0;
     auto next = stepped(h, error);
-    const double growth = 0.9 * std::pow(kStepError / std::max(error, 1e-300), 0.2);
+    const double growth = kCaution * std::pow(kStepError / std::max(error, kNotZero), 0.2);
     if (!next || error > kStepError) {
       h *= next ? std::clamp(growth, 0.1, 0.8) : 0.5;
       continue;
