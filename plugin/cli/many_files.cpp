@@ -49,7 +49,7 @@ std::vector<std::string> given_options(const CLI::App& command) {
 }
 
 // What a process wrote and how it ended.
-struct Ended {
+struct ChildOutput {
   int code = kExitFailure;
   std::string out, err;
 };
@@ -92,7 +92,7 @@ bool drain(int descriptor, std::string& text) {
 }
 
 // Reads both ends until they close. An interruption is the other process's, too.
-void read_all(pid_t child, Pipe& out, Pipe& err, Ended& ended) {
+void read_all(pid_t child, Pipe& out, Pipe& err, ChildOutput& ended) {
   bool told = false;
   while (out.ends[0] >= 0 || err.ends[0] >= 0) {
     std::array<pollfd, 2> waiting{pollfd{out.ends[0], POLLIN, 0}, pollfd{err.ends[0], POLLIN, 0}};
@@ -104,14 +104,14 @@ void read_all(pid_t child, Pipe& out, Pipe& err, Ended& ended) {
   }
 }
 
-Ended run_program(const std::vector<std::string>& words) {
+ChildOutput run_child(const std::vector<std::string>& words) {
   Pipe out, err;
   const pid_t child = fork();
   if (child < 0) throw occt::Failure("no process can be made");
   if (child == 0) become(words, out, err);
   out.close_end(1);
   err.close_end(1);
-  Ended ended;
+  ChildOutput ended;
   read_all(child, out, err, ended);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -143,7 +143,7 @@ FileRun run_on(const std::string& file, const ManyFiles& files,
     words.insert(words.end(), {"--time-limit", number_text(left)});
   }
   words.insert(words.end(), options.begin(), options.end());
-  const Ended ended = run_program(words);
+  const ChildOutput ended = run_child(words);
   stop_if_interrupted();
   if (verbosity() != Verbosity::Quiet || ended.out.empty()) std::cerr << ended.err << std::flush;
   run.code = ended.code;

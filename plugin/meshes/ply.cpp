@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <bit>
-#include <cstring>
 
 #include "core/math/index.h"
+#include "plugin/meshes/little_endian.h"
 #include "plugin/meshes/mesh_formats.h"
 #include "plugin/meshes/text_words.h"
 
 namespace blossom::meshes {
 namespace {
-
-template <class Number>
-void add_bytes(std::string& bytes, Number value) {
-  std::array<char, sizeof value> raw{};
-  std::memcpy(raw.data(), &value, sizeof value);
-  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(raw);
-  bytes.append(raw.data(), raw.size());
-}
 
 std::string header_of(const FileMesh& mesh, bool text, bool coloured) {
   std::string header =

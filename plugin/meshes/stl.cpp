@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // STL: as text a solid for each group, in binary without groups.
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 
 #include "core/math/index.h"
+#include "plugin/meshes/little_endian.h"
 #include "plugin/meshes/mesh_formats.h"
 #include "plugin/meshes/text_words.h"
 
@@ -35,14 +33,6 @@ void add_facet(const FileMesh& mesh, const std::array<int, 3>& triangle, std::st
     add_vector(text, corner(k));
   }
   text += "endloop\nendfacet\n";
-}
-
-template <class Number>
-void add_bytes(std::string& bytes, const Number& value) {
-  std::array<char, sizeof value> raw{};
-  std::memcpy(raw.data(), &value, sizeof value);
-  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(raw);
-  bytes.append(raw.data(), raw.size());
 }
 
 void add_floats(const Vec3& v, std::string& bytes) {

@@ -32,8 +32,8 @@ void write_answer(const Json& report, const std::string& text, const QueryOption
 }
 
 void add_query(CLI::App& app, int& exit_code) {
-  CLI::App* const query =
-      app.add_subcommand("query", "plane sections, what a ray hits, closest points, distances, masses");
+  CLI::App* const query = app.add_subcommand(
+      "query", "plane sections, what a ray hits, closest points, distances, masses");
   query->require_subcommand(1);
   add_query_plane(*query, exit_code);
   add_query_ray(*query, exit_code);
