@@ -34,7 +34,7 @@ endfunction()
 # Sources of one folder are compiled together, some at a time: what they include is read, and what they
 # use of it compiled, once. Names in their anonymous namespaces are different therefore. Sources with
 # compile options of their own stay alone, and those with SKIP_UNITY_BUILD_INCLUSION.
-set(BLOSSOM_TOGETHER 8)
+set(BLOSSOM_TOGETHER 16)
 function(blossom_unity target)
   if(NOT BLOSSOM_UNITY)
     return()
@@ -59,11 +59,17 @@ function(blossom_unity target)
   endforeach()
 endfunction()
 
-# A library of this folder's sources, included from the root: #include "core/forms/patch.h".
+# A library of this folder's sources, included from the root: #include "core/forms/patch.h". Folders
+# with a CMakeLists.txt are targets of their own.
 function(blossom_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp
        ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
-  list(FILTER sources EXCLUDE REGEX "/gpl/")
+  file(GLOB_RECURSE others CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/CMakeLists.txt)
+  list(REMOVE_ITEM others ${CMAKE_CURRENT_SOURCE_DIR}/CMakeLists.txt)
+  foreach(other ${others})
+    cmake_path(GET other PARENT_PATH folder)
+    list(FILTER sources EXCLUDE REGEX "^${folder}/")
+  endforeach()
   add_library(blossom_${name} ${sources})
   add_library(Blossom::${name} ALIAS blossom_${name})
   set_target_properties(blossom_${name} PROPERTIES EXPORT_NAME ${name})
@@ -79,6 +85,13 @@ endfunction()
 function(blossom_precompile target)
   if(BLOSSOM_PRECOMPILE)
     target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
+# The same headers as another target's, which are read for both of them once.
+function(blossom_precompiled_by target other)
+  if(BLOSSOM_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM ${other})
   endif()
 endfunction()
 

@@ -7,7 +7,7 @@
 
 #include "core/cells/net_ranges.h"
 #include "core/math/roundoff.h"
-#include "core/subdivision/bulk/bulk_bounds.h"
+#include "core/subdivision/growth.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {

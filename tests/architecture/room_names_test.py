@@ -13,10 +13,9 @@ import re
 import sys
 from pathlib import Path
 
-# Tests of other layers are compiled one by one.
-FOLDERS = ("core", "adapters", "plugin", "tests/core", "tests/plugin/cli")
-# Compiled alone: each switches instructions of its own on.
-ALONE = re.compile(r"core/subdivision/bulk/simd_\w+\.cpp")
+FOLDERS = ("core", "adapters", "plugin", "tests/core", "tests/adapters/occt", "tests/plugin/cli")
+# Compiled alone: each switches instructions of its own on; tests above the rooms.
+ALONE = re.compile(r"core/subdivision/bulk/simd_\w+\.cpp|tests/adapters/occt/\w+\.cpp")
 
 CONSTANT = re.compile(r"(?:inline |static )*constexpr .*?\b(k[A-Z]\w*)\b\s*(?:=|\{|;|\[)")
 MORE_CONSTANTS = re.compile(r",\s*(k[A-Z]\w*) = ")

@@ -24,8 +24,6 @@ double pyramid_error(int degree_u, int degree_v, const NetSizes& sizes, double r
 
 double middle(double t) { return 2 * t - 1; }
 
-double bezier_norm(double t) { return std::abs(1 - t) + std::abs(t); }
-
 // Sums of |1 - t| + |t| over the worst corner, one parameter.
 double corners_growth(int degree, const std::array<Vec2, 3>& corners, int parameter) {
   double worst = 1;
@@ -37,10 +35,6 @@ double corners_growth(int degree, const std::array<Vec2, 3>& corners, int parame
 
 double pyramid_growth(int degree, const Interval& piece) {
   return growth(degree, pyramid_reach(piece));
-}
-
-double bezier_growth(int degree, const Interval& piece) {
-  return power(std::max(bezier_norm(piece.from), bezier_norm(piece.to)), degree);
 }
 
 double t1_growth(int degree_u, int degree_v, const std::array<Vec2, 3>& corners) {

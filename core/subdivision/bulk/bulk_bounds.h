@@ -15,6 +15,7 @@
 #include "core/math/interval.h"
 #include "core/math/vec.h"
 #include "core/subdivision/bulk/bulk_matrices.h"
+#include "core/subdivision/growth.h"
 
 namespace blossom {
 
@@ -53,10 +54,6 @@ inline double pyramid_reach(const Interval& piece) {
 
 /// max(1, pyramid_reach)^n.
 double pyramid_growth(int degree, const Interval& piece);
-
-/// max over the ends t of (|1 - t| + |t|)^n: 1 inside [0, 1]. Outside, the errors of Bezier nets
-/// are these times as large.
-double bezier_growth(int degree, const Interval& piece);
 
 /// Error of a triangle's control point by T4 from a Bezier net, relative to `largest`, for
 /// corners in the unit square. The sum over all ways to share out the points adds its terms.

@@ -7,7 +7,7 @@
 
 #include "core/forms/algebra/products.h"
 #include "core/forms/evaluation.h"
-#include "core/subdivision/bulk/bulk_bounds.h"
+#include "core/subdivision/growth.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/subdivision/subdivision_matrix.h"
 #include "core/surfaces/gap/contact_points.h"
@@ -59,8 +59,9 @@ std::optional<Point4> farthest(const RationalBezierPatch& a, const RationalBezie
 // The foot at a place between two of an iso-line.
 std::optional<Point4> between(const RationalBezierPatch& a, const RationalBezierPatch& b, Point4 x,
                               std::size_t k, double goal, double tolerance) {
+  constexpr double kReached = 1e-15;  // part of the patch: a few roundings of a parameter
   const auto found = farthest(a, b, x, k, goal, tolerance);
-  return found && std::abs((*found)[k] - goal) < 1e-15 ? found : std::nullopt;
+  return found && std::abs((*found)[k] - goal) < kReached ? found : std::nullopt;
 }
 
 struct Direction {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -35,13 +34,14 @@
 #include "adapters/occt/solid_trim.h"
 #include "tests/adapters/occt/exchange/shapes_files.h"
 #include "tests/support/loose_shapes.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
 
 using testing::cylinder_with_wide_rim;
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 const IntersectionOptions kOptions;
 const WorkLimit kNoLimit(kOptions);
 

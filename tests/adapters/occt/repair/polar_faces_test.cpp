@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <vector>
 
 #include <BRepCheck_Analyzer.hxx>
@@ -19,6 +18,7 @@
 #include "adapters/occt/shapes.h"
 #include "tests/adapters/occt/exchange/shapes_files.h"
 #include "tests/adapters/occt/polar_bodies.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
@@ -28,7 +28,7 @@ using testing::bored;
 using testing::polar_bodies;
 using testing::PolarBody;
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 // Holes on the seam, which they interrupt, beside it, and on both sides.
 TEST(PolarFaces, AreCutIntoValidHalvesThatMakeThemUp) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -29,11 +28,12 @@
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/solid_trim.h"
 #include "core/base/errors.h"
+#include "tests/support/measures.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 const TopoDS_Shape& cube() {
   static const TopoDS_Shape made = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(2, 2, 2)).Shape();
