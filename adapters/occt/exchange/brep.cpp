@@ -30,10 +30,10 @@
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/listening.h"
 #include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/exchange/file_text.h"
-#include "adapters/occt/exchange/listening.h"
 
 namespace blossom::occt {
 namespace {

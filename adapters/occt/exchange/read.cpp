@@ -9,10 +9,10 @@
 #include <TopoDS_TShape.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/listening.h"
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/exchange/file_text.h"
 #include "adapters/occt/exchange/kept_folder.h"
-#include "adapters/occt/exchange/listening.h"
 #include "adapters/occt/exchange/modules.h"
 #include "adapters/occt/exchange/numbers.h"
 

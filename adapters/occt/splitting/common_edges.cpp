@@ -22,7 +22,6 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/splitting/edge_images.h"
-#include "adapters/occt/splitting/edge_meetings.h"
 #include "adapters/occt/splitting/edge_stretches.h"
 #include "adapters/occt/splitting/limits.h"
 #include "core/bounds/box_tree.h"

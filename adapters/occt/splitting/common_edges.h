@@ -22,6 +22,7 @@
 
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/intersection.h"
+#include "adapters/occt/splitting/edge_meetings.h"
 #include "adapters/occt/splitting/edge_splits.h"
 #include "adapters/occt/splitting/edge_union.h"
 #include "adapters/occt/splitting/face_splitter.h"
@@ -49,12 +50,6 @@ struct EdgeTouch {
 struct EdgeBlur {
   TopoDS_Edge edge;
   Interval at;
-};
-
-/// A common point of two edges.
-struct EdgesMeeting {
-  TopoDS_Edge a, b;
-  double at_a = 0, at_b = 0;
 };
 
 /// What lies in a face of the other shape.

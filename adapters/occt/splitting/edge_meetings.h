@@ -3,9 +3,15 @@
 
 #pragma once
 
-#include "adapters/occt/splitting/common_edges.h"
+#include <TopoDS_Edge.hxx>
 
 namespace blossom::occt {
+
+/// A common point of two edges.
+struct EdgesMeeting {
+  TopoDS_Edge a, b;
+  double at_a = 0, at_b = 0;
+};
 
 /// Where edges that cross at a small angle meet: at an end of one of them, if it keeps within reach
 /// of the other one from the crossing to that end. By what they are off, edges that touch in an end

@@ -75,8 +75,8 @@ TEST_F(TrimSolidsCommand, FusesAcrossAGapThatFuzzyCovers) {
   };
   EXPECT_EQ(solids_with({}), 12);
   EXPECT_EQ(solids_with({"--fuzzy", "2e-4"}), 10);
-  const Finished alone = blossom({"trim", folder / "box.brep", folder / "near.brep", "--keep",
-                                  "all", "--fuzzy", "2e-4"});
+  const Finished alone = blossom(
+      {"trim", folder / "box.brep", folder / "near.brep", "--keep", "all", "--fuzzy", "2e-4"});
   EXPECT_EQ(alone.code, 2);
   EXPECT_NE(alone.err.find("--fuzzy goes with --solid"), std::string::npos) << alone.err;
 }

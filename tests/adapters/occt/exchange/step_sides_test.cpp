@@ -49,7 +49,7 @@ double volume_of(const TopoDS_Shape& shape) {
   return sum;
 }
 
-int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+int count_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   int found = 0;
   for (TopExp_Explorer it(shape, kind); it.More(); it.Next()) ++found;
   return found;
@@ -58,7 +58,7 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
 void expect_as(const Model& back, const TopoDS_Shape& shape, const std::string& what) {
   EXPECT_TRUE(back.reading().losses.empty()) << what;
   EXPECT_TRUE(BRepCheck_Analyzer(back.shape()).IsValid()) << what;
-  EXPECT_EQ(count(back.shape(), TopAbs_SOLID), count(shape, TopAbs_SOLID)) << what;
+  EXPECT_EQ(count_of(back.shape(), TopAbs_SOLID), count_of(shape, TopAbs_SOLID)) << what;
   const double area = area_of(shape), volume = volume_of(shape);
   EXPECT_NEAR(area_of(back.shape()), area, 1e-5 * area) << what;
   EXPECT_NEAR(volume_of(back.shape()), volume, 1e-5 * std::abs(volume)) << what;

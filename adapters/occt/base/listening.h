@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What Open CASCADE says while it reads. For this folder only.
+// What Open CASCADE says while it reads.
 
 #pragma once
 
