@@ -25,34 +25,34 @@ constexpr int kMostHalvings = 32;   // a crease is then in a piece of 2e-10 of t
 
 // Pieces have degree 5, through points of the borders at Chebyshev's nodes with both ends; between
 // the nodes, where they are farthest off, they are checked.
-constexpr int kDegree = 5;
+constexpr int kBorderDegree = 5;
 
 // Points and charts of both sides together.
-using Row = Vec<double, 10>;
+using BorderRow = Vec<double, 10>;
 
-Vec3 point_of(const Row& row, std::size_t side) {
+Vec3 side_point(const BorderRow& row, std::size_t side) {
   const int at = side == 0 ? 0 : 5;
   return {row[at], row[at + 1], row[at + 2]};
 }
 
-Vec2 chart_of(const Row& row, std::size_t side) {
+Vec2 side_chart(const BorderRow& row, std::size_t side) {
   const int at = side == 0 ? 3 : 8;
   return {row[at], row[at + 1]};
 }
 
 struct Piece {
   Interval range;
-  std::array<Row, kDegree + 1> points;  // Bezier
+  std::array<BorderRow, kBorderDegree + 1> points;  // Bezier
 };
 
 // The k-th extremum of Chebyshev's polynomial over [0, 1]; in its middle to the next one for k +
 // 1/2.
-double node(double k) { return 0.5 * (1 - std::cos(std::numbers::pi * k / kDegree)); }
+double node(double k) { return 0.5 * (1 - std::cos(std::numbers::pi * k / kBorderDegree)); }
 
 // Bernstein's polynomials at t.
-std::array<double, kDegree + 1> weights_at(double t) {
-  std::array<double, kDegree + 1> weights{1};
-  for (int n = 1; n <= kDegree; ++n)
+std::array<double, kBorderDegree + 1> weights_at(double t) {
+  std::array<double, kBorderDegree + 1> weights{1};
+  for (int n = 1; n <= kBorderDegree; ++n)
     for (int i = n; i >= 0; --i) {
       const auto k = static_cast<std::size_t>(i);
       weights[k] = (i < n ? (1 - t) * weights[k] : 0) + (i > 0 ? t * weights[k - 1] : 0);
@@ -62,19 +62,20 @@ std::array<double, kDegree + 1> weights_at(double t) {
 
 // The Bezier points of the polynomial through values at the nodes: Newton's form, of which each
 // factor is multiplied with what is behind it in Bernstein's.
-std::array<Row, kDegree + 1> bezier_through(std::array<Row, kDegree + 1> values) {
-  for (int j = 1; j <= kDegree; ++j)
-    for (int i = kDegree; i >= j; --i) {
+std::array<BorderRow, kBorderDegree + 1> bezier_through(
+    std::array<BorderRow, kBorderDegree + 1> values) {
+  for (int j = 1; j <= kBorderDegree; ++j)
+    for (int i = kBorderDegree; i >= j; --i) {
       const auto k = static_cast<std::size_t>(i);
       values[k] = (1 / (node(i) - node(i - j))) * (values[k] - values[k - 1]);
     }
-  std::array<Row, kDegree + 1> points{values.back()};
-  for (int degree = 1; degree <= kDegree; ++degree) {
-    const int j = kDegree - degree;
+  std::array<BorderRow, kBorderDegree + 1> points{values.back()};
+  for (int degree = 1; degree <= kBorderDegree; ++degree) {
+    const int j = kBorderDegree - degree;
     for (int i = degree; i >= 0; --i) {
       const auto k = static_cast<std::size_t>(i);
       const double share = static_cast<double>(i) / degree;
-      Row product;
+      BorderRow product;
       if (i < degree) product -= ((1 - share) * node(j)) * points[k];
       if (i > 0) product += (share * (1 - node(j))) * points[k - 1];
       points[k] = product + values[static_cast<std::size_t>(j)];
@@ -83,9 +84,9 @@ std::array<Row, kDegree + 1> bezier_through(std::array<Row, kDegree + 1> values)
   return points;
 }
 
-Row row_at(const Piece& piece, double t) {
+BorderRow row_at(const Piece& piece, double t) {
   const auto weights = weights_at(t);
-  Row sum;
+  BorderRow sum;
   for (std::size_t k = 0; k < weights.size(); ++k) sum += weights[k] * piece.points[k];
   return sum;
 }
@@ -98,11 +99,11 @@ class BorderFit {
   FittedBorders borders();
 
  private:
-  Row row(double x) const;
+  BorderRow row(double x) const;
   Piece piece(const Interval& range) const;
   double error(const Piece& piece) const;
-  Row rate_before(std::size_t joint) const;
-  Row rate_after(std::size_t joint) const;
+  BorderRow rate_before(std::size_t joint) const;
+  BorderRow rate_after(std::size_t joint) const;
   bool is_smooth(std::size_t joint) const;
   void make_smooth(std::size_t joint);
 
@@ -110,7 +111,7 @@ class BorderFit {
   std::vector<Piece> pieces_;
 };
 
-Row BorderFit::row(double x) const {
+BorderRow BorderFit::row(double x) const {
   const auto both = of_.at_edge(x);
   if (!both) of_.refuse("a face has no point at the chamfer's distance from the edge", x);
   const auto& [a, b] = *both;
@@ -119,21 +120,22 @@ Row BorderFit::row(double x) const {
 }
 
 Piece BorderFit::piece(const Interval& range) const {
-  std::array<Row, kDegree + 1> values;
-  for (int i = 0; i <= kDegree; ++i) values[static_cast<std::size_t>(i)] = row(at(range, node(i)));
+  std::array<BorderRow, kBorderDegree + 1> values;
+  for (int i = 0; i <= kBorderDegree; ++i)
+    values[static_cast<std::size_t>(i)] = row(at(range, node(i)));
   return {range, bezier_through(values)};
 }
 
 double BorderFit::error(const Piece& piece) const {
   double largest = 0;
-  for (int k = 0; k < kDegree; ++k) {
+  for (int k = 0; k < kBorderDegree; ++k) {
     const double t = node(k + 0.5);
-    const Row made = row_at(piece, t), wanted = row(at(piece.range, t));
+    const BorderRow made = row_at(piece, t), wanted = row(at(piece.range, t));
     for (const std::size_t side : {0U, 1U}) {
-      const Vec3 point = point_of(made, side);
-      const Vec3 image = frame_at(of_.surfaces[side], chart_of(made, side)).point;
+      const Vec3 point = side_point(made, side);
+      const Vec3 image = frame_at(of_.surfaces[side], side_chart(made, side)).point;
       largest =
-          std::max({largest, distance(point, point_of(wanted, side)), distance(point, image)});
+          std::max({largest, distance(point, side_point(wanted, side)), distance(point, image)});
     }
   }
   return largest;
@@ -151,51 +153,56 @@ void BorderFit::add(const Interval& range, int halvings) {
   add({middle, range.to}, halvings - 1);
 }
 
-Row BorderFit::rate_before(std::size_t joint) const {
+BorderRow BorderFit::rate_before(std::size_t joint) const {
   const Piece& piece = pieces_[joint - 1];
-  return (kDegree / length(piece.range)) * (piece.points[kDegree] - piece.points[kDegree - 1]);
+  return (kBorderDegree / length(piece.range)) *
+         (piece.points[kBorderDegree] - piece.points[kBorderDegree - 1]);
 }
 
-Row BorderFit::rate_after(std::size_t joint) const {
+BorderRow BorderFit::rate_after(std::size_t joint) const {
   const Piece& piece = pieces_[joint];
-  return (kDegree / length(piece.range)) * (piece.points[1] - piece.points[0]);
+  return (kBorderDegree / length(piece.range)) * (piece.points[1] - piece.points[0]);
 }
 
 // Whether one tangent for both pieces moves them by less than they may be off.
 bool BorderFit::is_smooth(std::size_t joint) const {
-  constexpr double kMove = 0.4096 / kDegree;  // of a piece's width: by its second Bezier point
-  const Row turn = rate_after(joint) - rate_before(joint);
-  const double bend = std::max(norm(point_of(turn, 0)), norm(point_of(turn, 1)));
+  constexpr double kMove =
+      0.4096 / kBorderDegree;  // of a piece's width: by its second Bezier point
+  const BorderRow turn = rate_after(joint) - rate_before(joint);
+  const double bend = std::max(norm(side_point(turn, 0)), norm(side_point(turn, 1)));
   const double width = std::max(length(pieces_[joint - 1].range), length(pieces_[joint].range));
   return 0.5 * bend * kMove * width <= kFitError;
 }
 
 void BorderFit::make_smooth(std::size_t joint) {
-  const Row rate = 0.5 * (rate_before(joint) + rate_after(joint));
+  const BorderRow rate = 0.5 * (rate_before(joint) + rate_after(joint));
   Piece &before = pieces_[joint - 1], &after = pieces_[joint];
-  before.points[kDegree - 1] = before.points[kDegree] - (length(before.range) / kDegree) * rate;
-  after.points[1] = after.points[0] + (length(after.range) / kDegree) * rate;
+  before.points[kBorderDegree - 1] =
+      before.points[kBorderDegree] - (length(before.range) / kBorderDegree) * rate;
+  after.points[1] = after.points[0] + (length(after.range) / kBorderDegree) * rate;
 }
 
 FittedBorders BorderFit::borders() {
   std::vector<double> knots{pieces_.front().range.from};
-  std::vector<int> multiplicities{kDegree + 1};
-  std::vector<Row> points{pieces_.front().points[0]};
+  std::vector<int> multiplicities{kBorderDegree + 1};
+  std::vector<BorderRow> points{pieces_.front().points[0]};
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const bool is_last = i + 1 == pieces_.size(), smooth = !is_last && is_smooth(i + 1);
     if (smooth) make_smooth(i + 1);
     const auto& own = pieces_[i].points;
     points.insert(points.end(), own.begin() + 1, own.end() - (smooth ? 1 : 0));
     knots.push_back(pieces_[i].range.to);
-    multiplicities.push_back(is_last ? kDegree + 1 : smooth ? kDegree - 1 : kDegree);
+    multiplicities.push_back(is_last  ? kBorderDegree + 1
+                             : smooth ? kBorderDegree - 1
+                                      : kBorderDegree);
   }
   FittedBorders made;
   for (const std::size_t side : {0U, 1U}) {
-    made.rows[side] = {kDegree, knots, multiplicities, {}};
-    made.charts[side] = {kDegree, knots, multiplicities, {}};
-    for (const Row& row : points) {
-      made.rows[side].points.push_back(point_of(row, side));
-      made.charts[side].points.push_back(chart_of(row, side));
+    made.rows[side] = {kBorderDegree, knots, multiplicities, {}};
+    made.charts[side] = {kBorderDegree, knots, multiplicities, {}};
+    for (const BorderRow& row : points) {
+      made.rows[side].points.push_back(side_point(row, side));
+      made.charts[side].points.push_back(side_chart(row, side));
     }
   }
   return made;
