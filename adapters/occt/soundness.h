@@ -51,7 +51,7 @@ std::vector<std::vector<std::string>> face_problems(const std::vector<TopoDS_Fac
                                                     const CheckRunner& run);
 
 /// Where the wires of a face are degenerate (they enclose nothing but what their edges' tolerances
-/// cover) or meet themselves or each other but at the corner that joins two edges.
+/// cover) or meet themselves or each other but in a vertex of both edges.
 std::vector<Problem> wire_problems(const TopoDS_Face& face);
 
 /// Whether a wire that bounds the face ends somewhere, so that it encloses nothing. Edges inside of

@@ -78,6 +78,23 @@ double common_tolerance(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   return largest;
 }
 
+gp_Pnt on_surface(const FaceTrims& trims, const Vec2& point) {
+  return BRep_Tool::Surface(trims.face)
+      ->Value(point[0] / trims.scale[0], point[1] / trims.scale[1]);
+}
+
+// Whether a point is at a vertex of both edges: there wires may touch, each other or themselves.
+bool is_at_common_vertex(const FaceTrims& trims, const TopoDS_Edge& a, const TopoDS_Edge& b,
+                         const Vec2& point, double reach) {
+  for (TopoDS_Iterator of_a(a); of_a.More(); of_a.Next())
+    for (TopoDS_Iterator of_b(b); of_b.More(); of_b.Next()) {
+      if (!of_a.Value().IsSame(of_b.Value())) continue;
+      const gp_Pnt vertex = BRep_Tool::Pnt(TopoDS::Vertex(of_a.Value()));
+      if (vertex.Distance(on_surface(trims, point)) <= reach) return true;
+    }
+  return false;
+}
+
 // Whether two coedges that touch in a corner, as an arc and its tangent do, run along each other
 // from there to a crossing: where they are so near, it says nothing.
 bool run_from_corner(const Coedge& a, const Coedge& b, double at_crossing, double reach) {
@@ -106,6 +123,7 @@ std::optional<Vec2> meeting_place(const FaceTrims& trims, const Coedge& a, const
   const PlanarCrossings common = crossings(a.curve, b.curve, tolerance);
   for (const PlanarCrossing& crossing : common.points)
     if (from_common_corner(trims, a, b, crossing.point) > reach &&
+        !is_at_common_vertex(trims, a.edge, b.edge, crossing.point, reach) &&
         !run_from_corner(a, b, crossing.a, std::max({tolerance, a.tolerance, b.tolerance})))
       return crossing.point;
   for (const PlanarOverlap& run : common.overlaps) {
@@ -120,9 +138,8 @@ std::optional<Vec2> meeting_place(const FaceTrims& trims, const Coedge& a, const
 
 Problem meeting_problem(const FaceTrims& trims, const PlacedCoedge& a, const PlacedCoedge& b,
                         const Vec2& place) {
-  const gp_Pnt point =
-      BRep_Tool::Surface(trims.face)->Value(place[0] / trims.scale[0], place[1] / trims.scale[1]);
-  return {a.loop == b.loop ? "a wire meets itself" : "two wires meet", vec(point)};
+  return {a.loop == b.loop ? "a wire meets itself" : "two wires meet",
+          vec(on_surface(trims, place))};
 }
 
 bool bounds(const TopoDS_Shape& shape) {

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include <BRep_Builder.hxx>
 #include <Geom_Circle.hxx>
@@ -65,6 +67,35 @@ TEST(WireProblems, AreToldWhereEdgesCrossOutsideOfTheirVertex) {
   const auto problems = wire_problems(with_a_miss(1e-4));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems.front().what, "a wire meets itself");
+}
+
+// A triangular hole with a corner on that of the square, as one vertex or as two.
+TopoDS_Face with_a_hole_in_its_corner(bool shared) {
+  const BRep_Builder builder;
+  const std::array points{gp_Pnt(0, 0, 0), gp_Pnt(4, 0, 0), gp_Pnt(4, 4, 0), gp_Pnt(0, 4, 0),
+                          gp_Pnt(0, 0, 0), gp_Pnt(1, 2, 0), gp_Pnt(2, 1, 0)};
+  std::array<TopoDS_Vertex, 7> vertices;
+  for (std::size_t i = 0; i < 7; ++i)
+    builder.MakeVertex(vertices[i], points[i], Precision::Confusion());
+  if (shared) vertices[4] = vertices[0];
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln()), Precision::Confusion());
+  for (const auto& [first, count] : {std::pair<std::size_t, std::size_t>{0, 4}, {4, 3}}) {
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t from = first + k, to = first + (k + 1) % count;
+      builder.Add(wire, line(points[from], points[to], vertices[from], vertices[to]));
+    }
+    wire.Closed(Standard_True);
+    builder.Add(face, wire);
+  }
+  return face;
+}
+
+TEST(WireProblems, AreNoneWhereWiresTouchInOneVertex) {
+  EXPECT_TRUE(wire_problems(with_a_hole_in_its_corner(true)).empty());
+  EXPECT_FALSE(wire_problems(with_a_hole_in_its_corner(false)).empty());
 }
 
 // An arc of radius 1 and its tangent, turned by 2e-5: they cross 4e-5 from their corner, between
