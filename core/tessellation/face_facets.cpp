@@ -51,7 +51,7 @@ class FacetBuilder {
     const bool last = round == kLastRound;
     if (polygon_.sides.empty()) return refused("its borders have no length");
     if (!last) {
-      std::vector<EdgeSegment> far = polygon_.too_far(surface_, allowed(0));
+      std::vector<EdgeSegment> far = polygon_.too_far(surface_, allowed());
       if (!far.empty()) return {std::move(far), {}};
       std::vector<EdgeSegment> longer = long_sides();
       if (!longer.empty()) return {std::move(longer), {}};
@@ -253,11 +253,10 @@ class FacetBuilder {
     return true;
   }
 
-  // What is left of the deviation by the distance of the corners and the error of the surface;
-  // where the model leaves little, half of it, since finer facets would not be nearer.
-  double allowed(double moved) const {
-    return std::max(options_.deviation - moved - surface_.error(),
-                    kLeastAllowed * options_.deviation);
+  // What the error of the surface leaves of the deviation, but half of it at least. Borders get the
+  // same: where facets had to be nearer than the chords beside them, no point would do.
+  double allowed() const {
+    return std::max(options_.deviation - surface_.error(), kLeastAllowed * options_.deviation);
   }
 
   double moved_of(const std::array<int, 3>& corners) const {
@@ -305,8 +304,7 @@ class FacetBuilder {
       const int number = open.back();
       open.pop_back();
       const double far = distance_of(face.corner);
-      if (far <= allowed(moved_of(face.corner)) || is_small(face.corner) || is_flat(face.corner))
-        continue;
+      if (far <= allowed() || is_small(face.corner) || is_flat(face.corner)) continue;
       const Vec2 uv = dividing_point(mesh, face, far);
       // Rounding may put it a little beside the face.
       const int found = mesh.locate(scaled(uv));

@@ -89,8 +89,7 @@ double facet_distance(const JetEnclosure& jet, const Vec3& n, const std::array<V
   const double m = jet.jacobian * std::sqrt(1 - sine * sine);
   const double d_u = whole * jet.length_v / m, d_v = whole * jet.length_u / m;
   const double moved =
-      0.5 * (d_u * d_u * jet.uu.size_along(n) + 2 * d_u * d_v * jet.uv.size_along(n) +
-             d_v * d_v * jet.vv.size_along(n));
+      0.5 * (d_u * d_u * jet.uu.size() + 2 * d_u * d_v * jet.uv.size() + d_v * d_v * jet.vv.size());
   return std::min(whole, height + 2 * (slope_u * d_u + slope_v * d_v) + 4 * moved);
 }
 
