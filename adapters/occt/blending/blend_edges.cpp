@@ -4,34 +4,58 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
+#include <GeomAbs_Shape.hxx>
+#include <GeomAdaptor_Curve.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TopExp.hxx>
 #include <gp_Vec2d.hxx>
 
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/surfaces_detail.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr double kMargin = 1.1;  // tolerances cover sampled distances with it
 constexpr int kDeviationSamples = 64;
+constexpr int kSpanSamples = 8;  // of each span of splines, between whose knots deviations swing
 constexpr int kNearSamples = 64;
 constexpr int kNewtonSteps = 12;
+
+// The ends of the spans of a curve in a range.
+template <typename Adaptor>
+std::vector<double> span_ends(const Adaptor& curve) {
+  TColStd_Array1OfReal ends(1, curve.NbIntervals(GeomAbs_CN) + 1);
+  curve.Intervals(ends, GeomAbs_CN);
+  return {ends.begin(), ends.end()};
+}
 
 double deviation(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & chart,
                  const Handle(Geom_Surface) & surface) {
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  std::vector<double> ends = span_ends(GeomAdaptor_Curve(curve, range.from, range.to));
+  const std::vector<double> of_chart = span_ends(Geom2dAdaptor_Curve(chart, range.from, range.to));
+  ends.insert(ends.end(), of_chart.begin(), of_chart.end());
+  std::ranges::sort(ends);
+  const int spans = static_cast<int>(ends.size()) - 1;
+  const int samples = std::max(kSpanSamples, (kDeviationSamples + spans - 1) / spans);
   double largest = 0;
-  for (int i = 0; i <= kDeviationSamples; ++i) {
-    const double t = at(range, static_cast<double>(i) / kDeviationSamples);
-    const gp_Pnt2d uv = chart->Value(t);
-    largest = std::max(largest, curve->Value(t).Distance(surface->Value(uv.X(), uv.Y())));
+  for (std::size_t span = 0; span + 1 < ends.size(); ++span) {
+    if (ends[span + 1] == ends[span]) continue;
+    for (int i = 0; i <= samples; ++i) {
+      const double t = at(Interval{ends[span], ends[span + 1]}, static_cast<double>(i) / samples);
+      const gp_Pnt2d uv = chart->Value(t);
+      largest = std::max(largest, curve->Value(t).Distance(surface->Value(uv.X(), uv.Y())));
+    }
   }
   return largest;
 }
@@ -110,7 +134,8 @@ void add_seam_charts(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & forwa
     widen(edge, kMargin * deviation(edge, chart, BRep_Tool::Surface(face)));
 }
 
-std::array<double, 2> turns_of(const Handle(Geom_Surface) & surface) {
+std::array<double, 2> turns_of(const Handle(Geom_Surface) & given) {
+  const Handle(Geom_Surface) surface = basis_of(given);
   Interval u, v;
   surface->Bounds(u.from, u.to, v.from, v.to);
   std::array<double, 2> turns{};

@@ -50,8 +50,9 @@ void add_seam_charts(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & forwa
                      const Handle(Geom2d_Curve) & reversed, const TopoDS_Face& face);
 
 /// The parameters after which a surface comes back to where it was, in u and v: periods, or the
-/// range of a surface whose borders meet; 0 for none.
-std::array<double, 2> turns_of(const Handle(Geom_Surface) & surface);
+/// range of a surface whose borders meet; 0 for none. A rectangle of a surface has those of all of
+/// it, even where Open CASCADE gives it none.
+std::array<double, 2> turns_of(const Handle(Geom_Surface) & given);
 
 /// A curve in the chart of a face, moved by whole turns so that at a parameter it is as near as can
 /// be to where the face is: inside of its box, and of its wires, if any is.

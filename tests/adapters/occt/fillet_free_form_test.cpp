@@ -11,14 +11,21 @@
 
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepOffsetAPI_MakePipe.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <GC_MakeArcOfCircle.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pnt.hxx>
 
 #include "adapters/occt/edge_facts.h"
@@ -91,6 +98,30 @@ TopoDS_Wire wedge(double length, double twist, double z) {
   const double half = length * std::tan(0.5 * 20 * std::numbers::pi / 180);
   return BRepBuilderAPI_MakePolygon(gp_Pnt(length, twist, z), gp_Pnt(0, half, z),
                                     gp_Pnt(0, -half, z), true);
+}
+
+// An oblique tube on a box. A pipe's wall is a rectangle of the surface of extrusion that a prism
+// has as a wall: Open CASCADE does not say that it closes, and the contact goes over its seam.
+TEST(FilletRoundAnObliqueTube, IsTheSameOnARectangleOfItsSurface) {
+  const gp_Pnt foot(0, 0, 0), top(10, 10, 0);
+  const TopoDS_Edge circle = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(foot, gp_Dir(1, 0, 0)), 5));
+  const TopoDS_Face outline = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(circle).Wire());
+  const TopoDS_Wire spine = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(foot, top));
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-15, -15, -15), gp_Pnt(0, 15, 15)).Shape();
+  std::vector<double> more;
+  for (const TopoDS_Shape& tube : {BRepPrimAPI_MakePrism(outline, gp_Vec(foot, top)).Shape(),
+                                   BRepOffsetAPI_MakePipe(spine, outline).Shape()}) {
+    const TopoDS_Shape shape = BRepAlgoAPI_Fuse(tube, box).Shape();
+    std::vector<int> concave;
+    for (const EdgeFacts& each : edge_facts(shape))
+      if (each.kind == EdgeKind::Concave) concave.push_back(each.number);
+    ASSERT_EQ(concave.size(), 1U);
+    const FilletResult made = fillet(shape, concave, {.radius = 1});
+    expect_sound(made);
+    if (!made.solids.empty()) more.push_back(made.solids.front().volume - made.volume_before);
+  }
+  ASSERT_EQ(more.size(), 2U);
+  EXPECT_NEAR(more[0], more[1], 1e-6 * more[0]);
 }
 
 // A plate with a twisted post on it, whose outline is a wedge of 20 degrees.

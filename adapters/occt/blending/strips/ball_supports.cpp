@@ -11,6 +11,7 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "core/subdivision/extended_surface.h"
 
@@ -46,7 +47,7 @@ double outer_length(const BezierSurface& surface, bool in_u, bool first) {
 // further as its outer patches go on.
 // length   model units
 BezierSurface surface_beyond(const TopoDS_Face& face, double length_beyond) {
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  const Handle(Geom_Surface) surface = basis_of(BRep_Tool::Surface(face));
   ParameterBox box = parameter_box(face);
   std::array<Interval, 2> bounds;
   surface->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);

@@ -21,6 +21,7 @@
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
@@ -128,7 +129,8 @@ BezierSurface strip_surface(const RolledStrip& strip, const Interval& part,
 
 // A face's surface near points, and a little beyond its natural borders.
 BezierSurface face_surface(const std::vector<Vec3>& points, const TopoDS_Face& face) {
-  const BezierSurface surface = bezier_surface(BRep_Tool::Surface(face), box_near(points, face));
+  const BezierSurface surface =
+      bezier_surface(basis_of(BRep_Tool::Surface(face)), box_near(points, face));
   const std::array parts{kBeyondBorder, kBeyondBorder};
   return extended(surface, parts, parts);
 }
