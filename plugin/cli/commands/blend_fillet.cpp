@@ -75,7 +75,9 @@ std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& s
   if (!command.between.empty()) add_between(command, facts, edges);
   if (!command.all.empty())
     for (const int edge : reports::edges_to_round(facts, command.all)) edges.insert(edge);
-  if (edges.empty()) throw UsageError(command.part + ": it has no edges that can be rounded");
+  if (edges.empty())
+    throw UsageError(command.part + ": it has no " +
+                     (command.all == "all" ? "" : command.all + " ") + "edges that can be rounded");
   return {edges.begin(), edges.end()};
 }
 
