@@ -20,7 +20,7 @@ namespace {
 constexpr int kSpans = 256;
 
 // A polygon on the line from 0 to 256 in x, with one corner off it.
-Handle(Geom_BSplineCurve) polygon(int corner, double height) {
+Handle(Geom_BSplineCurve) bent_line(int corner, double height) {
   TColgp_Array1OfPnt poles(0, kSpans);
   TColStd_Array1OfReal knots(0, kSpans);
   TColStd_Array1OfInteger multiplicities(0, kSpans);
@@ -35,7 +35,7 @@ Handle(Geom_BSplineCurve) polygon(int corner, double height) {
 TEST(EdgeTolerance, CoversWhatCurvesAreApartInASingleSpan) {
   const TopoDS_Face plane = plane_face({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   for (const int corner : {1, 130, 202}) {
-    const TopoDS_Edge edge = edge_on(polygon(corner, 1e-4), {0, kSpans}, vertex_at({0, 0, 0}),
+    const TopoDS_Edge edge = edge_on(bent_line(corner, 1e-4), {0, kSpans}, vertex_at({0, 0, 0}),
                                      vertex_at({kSpans, 0, 0}));
     add_chart(edge, new Geom2d_Line(gp_Pnt2d(0, 0), gp_Dir2d(1, 0)), plane);
     EXPECT_GE(BRep_Tool::Tolerance(edge), 1e-4) << corner;
