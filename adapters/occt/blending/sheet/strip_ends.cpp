@@ -82,7 +82,11 @@ bool BlendSheet::turns_back(const Ring& ring, bool on_left) {
   const BodyEdges::Corner corner =
       body_.corner(body_.use(half.edge, side == 0), half.at_start ? first : last);
   const HalfEdge beside = on_left ? ring[1].half : ring.back().half;
-  return dot(direction_at(body_, beside), corner.inwards) <= std::sin(kSmoothJoint);
+  const Vec3 way = direction_at(body_, beside);
+  const double across = dot(way, corner.inwards), straight = std::sin(kSmoothJoint);
+  // In a cusp of the face both edges leave the vertex the same way.
+  const bool is_cusp = std::abs(across) <= straight && dot(way, direction_at(body_, half)) > 0;
+  return across <= straight && !is_cusp;
 }
 
 // Where a border turns back, the face behind it grows up to the contact and ends the strip there.
