@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <string>
 #include <vector>
 
 #include <BRepCheck_Analyzer.hxx>
@@ -13,6 +15,9 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
+
+#include "adapters/occt/shapes.h"
+#include "adapters/occt/solid_trim.h"
 
 namespace blossom::occt {
 namespace {
@@ -84,6 +89,22 @@ TEST(SolidValidity, KnownFacesAreAsTheyWereGiven) {
   EXPECT_EQ(known.Extent(), 3);
   EXPECT_TRUE(is_valid(bad.box, known));
   EXPECT_FALSE(is_valid(bad.box, others));
+}
+
+// A tube without a pipe through it, whose side touches the tube's seam where patches of both end.
+// At the tolerance asked for a solid comes out of it that is not valid.
+TEST(SolidValidity, IsAskedForAtEveryWayOfDividing) {
+  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const auto solid = [&](const char* name) {
+    return trim_tool(read_model(std::string(folder) + "/solids/" + name).shape());
+  };
+  const SolidTrimResult cut =
+      trim_solids(solid("cut_39.a.brep"), {solid("cut_39.b.brep")}, SolidOperation::Cut);
+  ASSERT_EQ(cut.obstacles.empty() ? std::string() : cut.obstacles.front(), "");
+  ASSERT_EQ(cut.solids.size(), 1u);
+  EXPECT_TRUE(BRepCheck_Analyzer(cut.solids.front()).IsValid());
+  EXPECT_NEAR(cut.total.result, 3540411.58, 0.1);
 }
 
 }  // namespace
