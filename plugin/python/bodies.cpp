@@ -122,8 +122,8 @@ occt::Model plane_model(const occt::Plane& plane, const TopoDS_Shape& part,
 }
 
 // The part with what was made in the place of its solids.
-occt::Model model_of(const occt::SolidTrimResult& made, const occt::Model& part,
-                     const std::vector<const occt::Model*>& tools) {
+occt::Model combined_model(const occt::SolidTrimResult& made, const occt::Model& part,
+                           const std::vector<const occt::Model*>& tools) {
   occt::Model model = part.copy();
   std::vector<occt::CombinedSolid> solids;
   for (const TopoDS_Solid& solid : made.solids)
@@ -170,7 +170,7 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
     reports::note_faces(answer);
     watch.stop();
     return made_answer(with_reading(reports::solid_report(answer), models),
-                       made_model(operation, model_of(answer.made, input.model, origins)));
+                       made_model(operation, combined_model(answer.made, input.model, origins)));
   });
 }
 

@@ -52,7 +52,7 @@ void drop_samples(reports::Json& json) {
     if (each.is_structured()) drop_samples(each);
 }
 
-py::object report_of(const Answer& answer, bool samples) {
+py::object python_report(const Answer& answer, bool samples) {
   reports::Json report;
   {
     const py::gil_scoped_release released;
@@ -62,15 +62,15 @@ py::object report_of(const Answer& answer, bool samples) {
   return to_python(report);
 }
 
-SharedModel model_of(const Answer& answer) {
+SharedModel shape_of_answer(const Answer& answer) {
   const py::gil_scoped_release released;
   return answer.model ? answer.model() : nullptr;
 }
 
 void add_answers(py::module_& module) {
   py::class_<Answer>(module, "Answer")
-      .def("report", &report_of, arg("samples"))
-      .def("model", &model_of)
+      .def("report", &python_report, arg("samples"))
+      .def("model", &shape_of_answer)
       .def("records", [](const Answer& a) { return a.records ? a.records() : py::dict(); })
       .def(
           "draw",
@@ -218,18 +218,18 @@ nets::Cut cut_of(const std::vector<double>& interval, const std::vector<double>&
 }
 
 void add_forms(py::module_& module) {
-  using Numbers = std::vector<double>;
+  using NumberList = std::vector<double>;
   module.def(
       "subdivide",
-      [](const SharedModel& model, const Numbers& interval, const Numbers& rectangle,
-         const Numbers& triangle, const Numbers& q, int levels, const Control& control) {
+      [](const SharedModel& model, const NumberList& interval, const NumberList& rectangle,
+         const NumberList& triangle, const NumberList& q, int levels, const Control& control) {
         return subdivide(model, cut_of(interval, rectangle, triangle, q, levels), control);
       },
       arg("model"), arg("interval"), arg("rectangle"), arg("triangle"), arg("q"), arg("levels"),
       arg("control"));
   module.def(
       "subdivide_whole",
-      [](const SharedModel& model, const Numbers& interval, const Numbers& rectangle,
+      [](const SharedModel& model, const NumberList& interval, const NumberList& rectangle,
          const Control& control) {
         const nets::Cut place = cut_of(interval, rectangle, {}, {}, 0);
         return subdivide_whole(model, {.interval = place.interval, .rectangle = place.rectangle},
