@@ -16,7 +16,14 @@
 #include <StepAP214_AppliedExternalIdentificationAssignment.hxx>
 #include <StepBasic_DocumentFile.hxx>
 #include <StepBasic_ExternalSource.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionWithAssociatedDocuments.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
 namespace blossom::occt {
@@ -48,11 +55,26 @@ std::string name_of(const STEPConstruct_ExternRefs& others, int number) {
   return name == nullptr ? "" : name;
 }
 
+/// Whether the product has a shape in this file: then the other one is where it came from.
+bool has_own_shape(const Handle(XSControl_WorkSession) & session,
+                   const Handle(StepBasic_ProductDefinition) & product) {
+  const Handle(Transfer_TransientProcess) made = session->TransferReader()->TransientProcess();
+  if (product.IsNull()) return false;
+  const TopoDS_Shape shape = TransferBRep::ShapeResult(made->Find(product));
+  return !shape.IsNull() && TopoDS_Iterator(shape).More();
+}
+
 /// Wherever the name may be looked for.
 void take_out(const STEPConstruct_ExternRefs& others, int number, const Interface_Graph& graph) {
   const Handle(TCollection_HAsciiString) nothing = new TCollection_HAsciiString;
   const Handle(StepBasic_DocumentFile) document = others.DocFile(number);
-  if (document.IsNull()) return;
+  if (document.IsNull()) {  // a document that is told by its number alone
+    const auto product = Handle(StepBasic_ProductDefinitionWithAssociatedDocuments)::DownCast(
+        others.ProdDef(number));
+    if (product.IsNull()) return;
+    for (int i = 1; i <= product->NbDocIds(); ++i) product->DocIdsValue(i)->SetId(nothing);
+    return;
+  }
   document->SetId(nothing);
   document->SetName(nothing);
   for (Interface_EntityIterator it = graph.Sharings(document); it.More(); it.Next()) {
@@ -73,13 +95,15 @@ bool keep_to_own_folder(const Handle(XSControl_WorkSession) & session, Reading& 
   for (int i = 1; i <= others.NbExternRefs(); ++i) {
     const std::string name = name_of(others, i);
     if (name.empty()) continue;
-    reading.has_other_files = true;
-    const std::string cause = reading.options.names
-                                  ? why_left(reading.file.parent_path(), name)
-                                  : "its file is followed together with names and colours alone";
-    follows = follows || cause.empty();
-    if (cause.empty()) continue;
-    reading.report.add({"part", cause, true, 1, {name}});
+    if (!has_own_shape(session, others.ProdDef(i))) {
+      reading.has_other_files = true;
+      const std::string cause = reading.options.names
+                                    ? why_left(reading.file.parent_path(), name)
+                                    : "its file is followed together with names and colours alone";
+      follows = follows || cause.empty();
+      if (cause.empty()) continue;
+      reading.report.add({"part", cause, true, 1, {name}});
+    }
     take_out(others, i, session->Graph());
     if (!name_of(others, i).empty()) refuse("has a part in another file", reading.report);
   }

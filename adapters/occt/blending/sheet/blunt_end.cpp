@@ -5,8 +5,10 @@
 #include <sstream>
 #include <string>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
@@ -41,6 +43,17 @@ double rolling_speed(const RolledStrip& strip, double t) {
   for (const RolledContact& contact : strip.contacts)
     sum += contact.curve->DN(t, 1).SquareMagnitude();
   return std::sqrt(0.5 * sum);
+}
+
+// Along an edge from a point of it to its end, model units.
+double length_left(const BodyEdges& body, const HalfEdge& half, const Vec3& from) {
+  const BRepAdaptor_Curve curve(body.edge(half.edge));
+  const Interval range{curve.FirstParameter(), curve.LastParameter()};
+  Interval own;
+  const double at =
+      nearest_on(BRep_Tool::Curve(body.edge(half.edge), own.from, own.to), range, from);
+  return half.at_start ? GCPnts_AbscissaPoint::Length(curve, range.from, at)
+                       : GCPnts_AbscissaPoint::Length(curve, at, range.to);
 }
 
 }  // namespace
@@ -181,9 +194,11 @@ bool BlendSheet::blunt(const Ring& ring, const std::string& why) {
   wall.face.Orientation((ahead > 0) != strip.concave ? TopAbs_FORWARD : TopAbs_REVERSED);
   patches_.push_back(std::move(wall));
   const Vec3 place = point_of(corner);
+  const double rest = length_left(body_, half, place);
   std::ostringstream note;
   note << "edge " << strip.edge << ": its strip ends in a plane across it at (" << place[0] << ", "
        << place[1] << ", " << place[2] << "), where the faces at its end do not close it: " << why;
+  if (rest > tolerance_) note << "; the last " << rest << " mm of the edge stay as they were";
   notes_.push_back(note.str());
   return true;
 }

@@ -103,6 +103,28 @@ TEST_F(StepInOtherFiles, NamesInNamedFilesAreNotFollowed) {
   expect_ball(with_box_in("changed.stp"), cause);  // itself
 }
 
+// As some CAD systems name the file that they exported.
+TEST_F(StepInOtherFiles, ANameBesideAShapeIsWhereItCameFrom) {
+  Model box;
+  box.add(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), "Box");
+  write_model(box, folder / "plain.step");
+  std::string text = testing::content(folder / "plain.step");
+  const std::string product = "PRODUCT_DEFINITION('design','',";
+  const std::size_t start = text.find(product);
+  ASSERT_NE(start, std::string::npos) << text;
+  text.insert(text.find(')', start + product.size()), ",(#90001)");
+  text.insert(start + std::string("PRODUCT_DEFINITION").size(), "_WITH_ASSOCIATED_DOCUMENTS");
+  text.insert(text.rfind("ENDSEC"),
+              "#90001=DOCUMENT('Main:box:::0','','',#90002);\n"
+              "#90002=DOCUMENT_TYPE('cad_filename');\n");
+  write_content(folder / "named.step", text);
+
+  const Model model = read_model(folder / "named.step");
+
+  EXPECT_EQ(model.face_count(), 6);
+  EXPECT_EQ(model.reading().grade(), ReadingGrade::Whole) << model.reading().summary();
+}
+
 TEST_F(StepInOtherFiles, FilesThatCannotBeReadAreTold) {
   write_content(folder / "words.stp", "no model\n");
   expect_ball(with_box_in("words.stp"), "nothing can be read from its file");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/strips/ball_walk.h"
+#include "adapters/occt/blending/strips/ball_walker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/blending/strips/ball_walker.h"
 
 namespace blossom::occt {
 namespace {
