@@ -68,11 +68,14 @@ bool has_own_shape(const Handle(XSControl_WorkSession) & session,
 void take_out(const STEPConstruct_ExternRefs& others, int number, const Interface_Graph& graph) {
   const Handle(TCollection_HAsciiString) nothing = new TCollection_HAsciiString;
   const Handle(StepBasic_DocumentFile) document = others.DocFile(number);
-  if (document.IsNull()) {  // a document that is told by its number alone
+  if (document.IsNull()) {  // the product names documents itself
     const auto product = Handle(StepBasic_ProductDefinitionWithAssociatedDocuments)::DownCast(
         others.ProdDef(number));
     if (product.IsNull()) return;
-    for (int i = 1; i <= product->NbDocIds(); ++i) product->DocIdsValue(i)->SetId(nothing);
+    for (int i = 1; i <= product->NbDocIds(); ++i) {
+      product->DocIdsValue(i)->SetId(nothing);
+      product->DocIdsValue(i)->SetName(nothing);
+    }
     return;
   }
   document->SetId(nothing);

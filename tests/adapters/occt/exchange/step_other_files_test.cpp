@@ -115,7 +115,7 @@ TEST_F(StepInOtherFiles, ANameBesideAShapeIsWhereItCameFrom) {
   text.insert(text.find(')', start + product.size()), ",(#90001)");
   text.insert(start + std::string("PRODUCT_DEFINITION").size(), "_WITH_ASSOCIATED_DOCUMENTS");
   text.insert(text.rfind("ENDSEC"),
-              "#90001=DOCUMENT('Main:box:::0','','',#90002);\n"
+              "#90001=DOCUMENT('None','Main:box:::0','',#90002);\n"
               "#90002=DOCUMENT_TYPE('cad_filename');\n");
   write_content(folder / "named.step", text);
 
