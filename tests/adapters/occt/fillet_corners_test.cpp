@@ -32,9 +32,12 @@
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/soundness.h"
+#include "tests/adapters/occt/fillet_checks.h"
 
 namespace blossom::occt {
 namespace {
+
+using testing::expect_sound;
 
 constexpr double kSmooth = 2e-6;  // radians: what strips and fills keep together
 
@@ -79,21 +82,6 @@ TopoDS_Shape chamfered_box() {
   TopExp::MapShapes(box, TopAbs_EDGE, edges);
   for (int i = 1; i <= edges.Extent(); ++i) chamfer.Add(2, TopoDS::Edge(edges(i)));
   return chamfer.Shape();
-}
-
-std::string told(const FilletResult& made) {
-  std::string all;
-  for (const FilletRefusal& each : made.refused) all += each.text() + "\n";
-  return all;
-}
-
-// One sound solid.
-void expect_sound(const FilletResult& made) {
-  ASSERT_EQ(made.solids.size(), 1U) << told(made);
-  EXPECT_TRUE(made.refused.empty()) << told(made);
-  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
-  for (const FaceSoundness& face : soundness(made.solids.front().solid).faces)
-    for (const Problem& problem : face.problems) ADD_FAILURE() << problem.text();
 }
 
 // Every edge of blends is smooth, but for as many as are said.

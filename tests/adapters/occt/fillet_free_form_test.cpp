@@ -32,23 +32,14 @@
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/soundness.h"
+#include "tests/adapters/occt/fillet_checks.h"
 #include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
 
-std::string told(const FilletResult& made) {
-  std::string all;
-  for (const FilletRefusal& each : made.refused) all += each.text() + "\n";
-  return all;
-}
-
-void expect_sound(const FilletResult& made) {
-  ASSERT_EQ(made.solids.size(), 1U) << told(made);
-  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
-  for (const FaceSoundness& face : soundness(made.solids.front().solid).faces)
-    for (const Problem& problem : face.problems) ADD_FAILURE() << problem.text();
-}
+using testing::expect_sound;
+using testing::told;
 
 // Two arcs from (-10, 0) to (10, 0) and back, as high as `bulge` in the middle: a circle if that is
 // 10, else a lens.

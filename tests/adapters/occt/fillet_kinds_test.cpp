@@ -33,9 +33,12 @@
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
+#include "tests/adapters/occt/fillet_checks.h"
 
 namespace blossom::occt {
 namespace {
+
+using testing::expect_sound;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kCut = 1 - kPi / 4;  // what a ball of radius 1 leaves of its square's corner
@@ -73,17 +76,6 @@ TopoDS_Face polygon(const std::vector<gp_Pnt>& points) {
 
 TopoDS_Shape prism(const std::vector<gp_Pnt>& points, double height) {
   return BRepPrimAPI_MakePrism(polygon(points), gp_Vec(0, 0, height)).Shape();
-}
-
-// One sound solid.
-void expect_sound(const FilletResult& made) {
-  std::string told;
-  for (const FilletRefusal& each : made.refused) told += each.text() + "\n";
-  ASSERT_EQ(made.solids.size(), 1U) << told;
-  EXPECT_TRUE(made.refused.empty()) << told;
-  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
-  for (const FaceSoundness& face : soundness(made.solids.front().solid).faces)
-    for (const Problem& problem : face.problems) ADD_FAILURE() << problem.text();
 }
 
 void expect_volume(const FilletResult& made, double volume, double relative) {

@@ -39,11 +39,14 @@
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
+#include "tests/adapters/occt/fillet_checks.h"
 #include "tests/support/free_form_bodies.h"
 #include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
+
+using testing::told;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kCut = 1 - kPi / 4;  // what a ball of radius 1 leaves of its square's corner
@@ -81,12 +84,6 @@ int edge_at(const TopoDS_Shape& shape, const Vec3& point) {
 
 FilletResult rounded(const TopoDS_Shape& shape, const std::vector<int>& edges, double radius) {
   return fillet(shape, edges, {.radius = radius});
-}
-
-std::string told(const FilletResult& made) {
-  std::string all;
-  for (const FilletRefusal& each : made.refused) all += each.text() + "\n";
-  return all;
 }
 
 // One solid, sound by BRepCheck and by our own looks, of a volume.
