@@ -7,7 +7,7 @@
 
 #include "adapters/occt/edge_facts.h"
 #include "plugin/cli/values.h"
-#include "plugin/reports/edges.h"
+#include "plugin/reports/models/edges.h"
 
 namespace blossom::cli {
 namespace {

@@ -23,7 +23,7 @@
 #include "plugin/cli/verbosity.h"
 #include "plugin/meshes/mesh_files.h"
 #include "plugin/nets/net_json.h"
-#include "plugin/reports/repairs.h"
+#include "plugin/reports/models/repairs.h"
 
 namespace blossom::cli {
 namespace {

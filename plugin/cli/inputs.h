@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "plugin/reports/input.h"
+#include "plugin/reports/models/input.h"
 
 namespace blossom::cli {
 

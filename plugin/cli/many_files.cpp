@@ -24,7 +24,7 @@
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/values.h"
 #include "plugin/cli/verbosity.h"
-#include "plugin/reports/csv.h"
+#include "plugin/reports/text/csv.h"
 
 namespace blossom::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "adapters/occt/shapes.h"
-#include "plugin/reports/json.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::cli {
 

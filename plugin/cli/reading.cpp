@@ -11,7 +11,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
-#include "plugin/reports/reading.h"
+#include "plugin/reports/models/reading.h"
 
 namespace blossom::cli {
 namespace {

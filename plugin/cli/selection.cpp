@@ -15,7 +15,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/values.h"
-#include "plugin/reports/input.h"
+#include "plugin/reports/models/input.h"
 
 namespace blossom::cli {
 namespace {

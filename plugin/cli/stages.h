@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "plugin/reports/json.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::cli {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "plugin/reports/input.h"
+#include "plugin/reports/models/input.h"
 
 namespace blossom::cli {
 namespace {

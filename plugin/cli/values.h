@@ -12,7 +12,7 @@
 
 #include <CLI/App.hpp>
 
-#include "plugin/reports/number_text.h"
+#include "plugin/reports/text/number_text.h"
 
 namespace blossom::cli {
 

@@ -13,7 +13,7 @@
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/nets/net.h"
-#include "plugin/reports/watertight.h"
+#include "plugin/reports/cuts/watertight.h"
 
 namespace blossom::cli {
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "plugin/reports/number_text.h"
+#include "plugin/reports/text/number_text.h"
 
 namespace blossom::drawings {
 namespace {

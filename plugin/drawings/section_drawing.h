@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "plugin/reports/section.h"
+#include "plugin/reports/queries/section.h"
 
 namespace blossom::drawings {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "plugin/reports/number_text.h"
+#include "plugin/reports/text/number_text.h"
 
 namespace blossom::drawings {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "core/base/status.h"
 #include "plugin/meshes/mesh_files.h"
-#include "plugin/reports/json.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::meshes {
 

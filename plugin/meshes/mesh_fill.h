@@ -11,7 +11,7 @@
 
 #include "plugin/meshes/mesh_files.h"
 #include "plugin/meshes/mesh_judge.h"
-#include "plugin/reports/json.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::meshes {
 

@@ -7,7 +7,7 @@
 #ifdef BLOSSOM_WITH_CGAL
 #include "adapters/cgal/mesh_judge.h"
 #endif
-#include "plugin/reports/number_text.h"
+#include "plugin/reports/text/number_text.h"
 
 namespace blossom::meshes {
 namespace {

@@ -12,8 +12,8 @@
 #include "adapters/occt/tessellation.h"
 #include "core/tessellation/facet_options.h"
 #include "plugin/meshes/mesh_files.h"
-#include "plugin/reports/input.h"
-#include "plugin/reports/mesh.h"
+#include "plugin/reports/models/input.h"
+#include "plugin/reports/models/mesh.h"
 
 namespace blossom::meshes {
 

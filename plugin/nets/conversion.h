@@ -10,8 +10,8 @@
 
 #include "plugin/nets/pieces.h"
 #include "plugin/nets/trimmed_nets.h"
-#include "plugin/reports/input.h"
-#include "plugin/reports/json.h"
+#include "plugin/reports/models/input.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::nets {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plugin/nets/net.h"
-#include "plugin/reports/json.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::nets {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plugin/nets/net.h"
-#include "plugin/reports/input.h"
+#include "plugin/reports/models/input.h"
 
 namespace blossom::nets {
 

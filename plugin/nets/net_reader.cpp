@@ -12,7 +12,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "plugin/nets/net_json.h"
-#include "plugin/reports/nesting.h"
+#include "plugin/reports/text/nesting.h"
 
 namespace blossom::nets {
 namespace {

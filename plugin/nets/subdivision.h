@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plugin/nets/pieces.h"
-#include "plugin/reports/json.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::nets {
 

@@ -14,7 +14,7 @@
 
 #include "core/math/interval.h"
 #include "plugin/nets/net.h"
-#include "plugin/reports/json.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::nets {
 

@@ -14,7 +14,7 @@
 #include "core/base/tolerances.h"
 #include "plugin/nets/net_json.h"
 #include "plugin/nets/whole.h"
-#include "plugin/reports/repairs.h"
+#include "plugin/reports/models/repairs.h"
 
 namespace blossom::nets {
 namespace {

@@ -13,8 +13,8 @@
 #include "adapters/occt/shapes.h"
 #include "core/math/interval.h"
 #include "plugin/nets/net.h"
-#include "plugin/reports/input.h"
-#include "plugin/reports/json.h"
+#include "plugin/reports/models/input.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::nets {
 

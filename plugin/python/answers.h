@@ -22,9 +22,9 @@
 #include "plugin/nets/whole_parts.h"
 #include "plugin/python/control.h"
 #include "plugin/python/loaded_model.h"
-#include "plugin/reports/json.h"
-#include "plugin/reports/section.h"
-#include "plugin/reports/strip.h"
+#include "plugin/reports/blends/strip.h"
+#include "plugin/reports/queries/section.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::python {
 

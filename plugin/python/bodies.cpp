@@ -15,11 +15,11 @@
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
 #include "plugin/python/json.h"
-#include "plugin/reports/repairs.h"
-#include "plugin/reports/solids.h"
-#include "plugin/reports/strip.h"
-#include "plugin/reports/trim.h"
-#include "plugin/reports/watertight.h"
+#include "plugin/reports/blends/strip.h"
+#include "plugin/reports/cuts/solids.h"
+#include "plugin/reports/cuts/trim.h"
+#include "plugin/reports/cuts/watertight.h"
+#include "plugin/reports/models/repairs.h"
 
 namespace py = pybind11;
 using namespace py::literals;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "plugin/python/answers.h"
-#include "plugin/reports/clash.h"
+#include "plugin/reports/queries/clash.h"
 
 namespace blossom::python {
 

@@ -7,7 +7,7 @@
 #include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
 #include "plugin/python/answers.h"
-#include "plugin/reports/fillet.h"
+#include "plugin/reports/blends/fillet.h"
 
 namespace blossom::python {
 namespace {

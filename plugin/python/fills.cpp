@@ -7,7 +7,7 @@
 #include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
 #include "plugin/python/answers.h"
-#include "plugin/reports/fill.h"
+#include "plugin/reports/blends/fill.h"
 
 namespace blossom::python {
 namespace {

@@ -11,7 +11,7 @@
 #include "plugin/nets/subdivision.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/json.h"
-#include "plugin/reports/repairs.h"
+#include "plugin/reports/models/repairs.h"
 
 namespace py = pybind11;
 using namespace py::literals;

@@ -10,7 +10,7 @@
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
 #include "plugin/python/json.h"
-#include "plugin/reports/intersection.h"
+#include "plugin/reports/cuts/intersection.h"
 
 namespace py = pybind11;
 using namespace py::literals;

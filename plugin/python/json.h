@@ -5,7 +5,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "plugin/reports/json.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::python {
 

@@ -16,7 +16,7 @@
 #include "adapters/occt/ray_casting.h"
 #include "adapters/occt/shapes.h"
 #include "plugin/python/control.h"
-#include "plugin/reports/measured_input.h"
+#include "plugin/reports/models/measured_input.h"
 
 namespace blossom::python {
 

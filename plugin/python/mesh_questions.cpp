@@ -25,7 +25,7 @@
 #include "plugin/meshes/mesh_judge.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
-#include "plugin/reports/measured_input.h"
+#include "plugin/reports/models/measured_input.h"
 
 namespace py = pybind11;
 using py::arg;

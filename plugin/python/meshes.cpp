@@ -18,8 +18,8 @@
 #include "plugin/meshes/shape_mesh.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
-#include "plugin/reports/measured_input.h"
-#include "plugin/reports/repairs.h"
+#include "plugin/reports/models/measured_input.h"
+#include "plugin/reports/models/repairs.h"
 
 namespace py = pybind11;
 using namespace py::literals;

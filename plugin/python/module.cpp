@@ -25,9 +25,9 @@
 #include "plugin/python/nets.h"
 #include "plugin/python/questions.h"
 #include "plugin/python/swig_bridge.h"
-#include "plugin/reports/info.h"
-#include "plugin/reports/reading.h"
-#include "plugin/reports/repairs.h"
+#include "plugin/reports/models/info.h"
+#include "plugin/reports/models/reading.h"
+#include "plugin/reports/models/repairs.h"
 
 namespace py = pybind11;
 using py::arg;

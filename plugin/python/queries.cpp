@@ -9,13 +9,13 @@
 #include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
 #include "plugin/python/answers.h"
-#include "plugin/reports/continuity.h"
-#include "plugin/reports/distance.h"
-#include "plugin/reports/edges.h"
-#include "plugin/reports/info.h"
-#include "plugin/reports/mass.h"
-#include "plugin/reports/rays.h"
-#include "plugin/reports/soundness.h"
+#include "plugin/reports/blends/continuity.h"
+#include "plugin/reports/models/edges.h"
+#include "plugin/reports/models/info.h"
+#include "plugin/reports/models/soundness.h"
+#include "plugin/reports/queries/distance.h"
+#include "plugin/reports/queries/mass.h"
+#include "plugin/reports/queries/rays.h"
 
 namespace blossom::python {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "plugin/python/answers.h"
 #include "plugin/python/json.h"
-#include "plugin/reports/blend_words.h"
+#include "plugin/reports/blends/blend_words.h"
 
 namespace py = pybind11;
 using py::arg;

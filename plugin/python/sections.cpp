@@ -14,8 +14,8 @@
 #include "plugin/drawings/section_drawing.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
-#include "plugin/reports/plane_cuts.h"
-#include "plugin/reports/section.h"
+#include "plugin/reports/queries/plane_cuts.h"
+#include "plugin/reports/queries/section.h"
 
 namespace py = pybind11;
 using namespace py::literals;

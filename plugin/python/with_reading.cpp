@@ -4,7 +4,7 @@
 #include <map>
 
 #include "plugin/python/answers.h"
-#include "plugin/reports/reading.h"
+#include "plugin/reports/models/reading.h"
 
 namespace blossom::python {
 namespace {

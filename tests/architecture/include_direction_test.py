@@ -21,6 +21,7 @@ CORE_ROOMS = """base math math/series forms forms/algebra blossom subdivision su
     blending/strips blending/balls""".split()
 OCCT_ROOMS = """base convert faces tessellation neighbours queries splitting coincidence solids
     repair exact exchange documents blending blending/strips blending/sheet""".split()
+REPORT_ROOMS = "text models cuts queries blends".split()
 
 STANDARD = r"<[a-z_0-9]+>"
 CORE_LIBRARIES = r"<(Eigen|tbb|oneapi/tbb|boost/multiprecision)/.*>|<immintrin\.h>"
@@ -123,7 +124,8 @@ def crowded(files, library):
 def faults(files):
     yield from wrong_arrows(files, "core", CORE_ROOMS)
     yield from wrong_arrows(files, "adapters/occt", OCCT_ROOMS)
-    for library in ("core", "adapters/occt"):
+    yield from wrong_arrows(files, "plugin/reports", REPORT_ROOMS)
+    for library in ("core", "adapters/occt", "plugin/reports"):
         yield from cycles(files, library)
         yield from crowded(files, library)
     yield from foreign(files, "core", ".h", ['"core/', STANDARD])

@@ -5,7 +5,7 @@
 
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/values.h"
-#include "plugin/reports/nesting.h"
+#include "plugin/reports/text/nesting.h"
 
 namespace blossom::cli {
 namespace {

@@ -21,7 +21,7 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/values.h"
-#include "plugin/reports/strip.h"
+#include "plugin/reports/blends/strip.h"
 
 namespace blossom::cli {
 namespace {

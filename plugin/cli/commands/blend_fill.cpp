@@ -20,7 +20,7 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/values.h"
-#include "plugin/reports/fill.h"
+#include "plugin/reports/blends/fill.h"
 
 namespace blossom::cli {
 namespace {

@@ -33,8 +33,8 @@
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/values.h"
-#include "plugin/reports/blend_words.h"
-#include "plugin/reports/fillet.h"
+#include "plugin/reports/blends/blend_words.h"
+#include "plugin/reports/blends/fillet.h"
 
 namespace blossom::cli {
 namespace {

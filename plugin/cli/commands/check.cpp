@@ -22,7 +22,7 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/reading.h"
-#include "plugin/reports/soundness.h"
+#include "plugin/reports/models/soundness.h"
 
 namespace blossom::cli {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/mesh.h"
-#include "plugin/reports/soundness.h"
+#include "plugin/reports/models/soundness.h"
 
 namespace blossom::cli {
 namespace {

@@ -23,7 +23,7 @@
 #include "plugin/cli/values.h"
 #include "plugin/cli/vectors.h"
 #include "plugin/cli/verbosity.h"
-#include "plugin/reports/clash.h"
+#include "plugin/reports/queries/clash.h"
 
 namespace blossom::cli {
 namespace {

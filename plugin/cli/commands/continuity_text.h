@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "plugin/reports/continuity.h"
+#include "plugin/reports/blends/continuity.h"
 
 namespace blossom::cli {
 

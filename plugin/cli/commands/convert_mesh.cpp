@@ -19,8 +19,8 @@
 #include "plugin/cli/values.h"
 #include "plugin/meshes/mesh_judge.h"
 #include "plugin/meshes/shape_mesh.h"
-#include "plugin/reports/mesh.h"
-#include "plugin/reports/repairs.h"
+#include "plugin/reports/models/mesh.h"
+#include "plugin/reports/models/repairs.h"
 
 namespace blossom::cli {
 namespace {

@@ -22,7 +22,7 @@
 #include "plugin/cli/reading.h"
 #include "plugin/cli/tree_list.h"
 #include "plugin/cli/verbosity.h"
-#include "plugin/reports/info.h"
+#include "plugin/reports/models/info.h"
 
 namespace blossom::cli {
 namespace {

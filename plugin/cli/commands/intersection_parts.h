@@ -9,7 +9,7 @@
 #include "adapters/occt/intersection.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/options.h"
-#include "plugin/reports/intersection.h"
+#include "plugin/reports/cuts/intersection.h"
 
 namespace blossom::cli {
 

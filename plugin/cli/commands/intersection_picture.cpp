@@ -9,7 +9,7 @@
 #include "plugin/cli/picture/mesh.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/values.h"
-#include "plugin/reports/info.h"
+#include "plugin/reports/models/info.h"
 
 namespace blossom::cli {
 namespace {

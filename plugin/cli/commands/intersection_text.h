@@ -8,7 +8,7 @@
 
 #include "adapters/occt/intersection.h"
 #include "plugin/cli/inputs.h"
-#include "plugin/reports/intersection.h"
+#include "plugin/reports/cuts/intersection.h"
 
 namespace blossom::cli {
 

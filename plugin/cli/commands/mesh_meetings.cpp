@@ -22,7 +22,7 @@
 #include "plugin/drawings/section_drawing.h"
 #include "plugin/meshes/mesh_curves.h"
 #include "plugin/meshes/mesh_judge.h"
-#include "plugin/reports/plane_cuts.h"
+#include "plugin/reports/queries/plane_cuts.h"
 
 namespace blossom::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plugin/cli/options.h"
-#include "plugin/reports/section.h"
+#include "plugin/reports/queries/section.h"
 
 namespace blossom::cli {
 

@@ -11,7 +11,7 @@
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/output.h"
-#include "plugin/reports/measured_input.h"
+#include "plugin/reports/models/measured_input.h"
 
 namespace blossom::cli {
 

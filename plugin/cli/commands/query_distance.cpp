@@ -15,7 +15,7 @@
 #include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/values.h"
-#include "plugin/reports/distance.h"
+#include "plugin/reports/queries/distance.h"
 
 namespace blossom::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
-#include "plugin/reports/mass.h"
+#include "plugin/reports/queries/mass.h"
 
 namespace blossom::cli {
 namespace {

@@ -16,7 +16,7 @@
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/vectors.h"
-#include "plugin/reports/measured_input.h"
+#include "plugin/reports/models/measured_input.h"
 
 namespace blossom::cli {
 

@@ -19,7 +19,7 @@
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
 #include "plugin/drawings/section_drawing.h"
-#include "plugin/reports/section.h"
+#include "plugin/reports/queries/section.h"
 
 namespace blossom::cli {
 namespace {

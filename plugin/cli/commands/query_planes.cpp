@@ -19,7 +19,7 @@
 #include "plugin/cli/values.h"
 #include "plugin/cli/vectors.h"
 #include "plugin/drawings/section_drawing.h"
-#include "plugin/reports/plane_cuts.h"
+#include "plugin/reports/queries/plane_cuts.h"
 
 namespace blossom::cli {
 namespace {

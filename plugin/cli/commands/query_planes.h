@@ -8,7 +8,7 @@
 
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/options.h"
-#include "plugin/reports/section.h"
+#include "plugin/reports/queries/section.h"
 
 namespace blossom::cli {
 

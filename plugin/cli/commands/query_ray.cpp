@@ -14,7 +14,7 @@
 #include "plugin/cli/options.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
-#include "plugin/reports/rays.h"
+#include "plugin/reports/queries/rays.h"
 
 namespace blossom::cli {
 namespace {

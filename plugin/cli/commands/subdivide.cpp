@@ -24,7 +24,7 @@
 #include "plugin/cli/values.h"
 #include "plugin/nets/net_shapes.h"
 #include "plugin/nets/subdivision.h"
-#include "plugin/reports/repairs.h"
+#include "plugin/reports/models/repairs.h"
 
 namespace blossom::cli {
 namespace {

@@ -30,7 +30,7 @@
 #include "plugin/cli/vectors.h"
 #include "plugin/cli/watertight_output.h"
 #include "plugin/nets/net_json.h"
-#include "plugin/reports/trim.h"
+#include "plugin/reports/cuts/trim.h"
 
 namespace blossom::cli {
 namespace {

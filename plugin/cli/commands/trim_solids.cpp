@@ -32,9 +32,9 @@
 #include "plugin/cli/verbosity.h"
 #include "plugin/cli/watertight_output.h"
 #include "plugin/nets/net_json.h"
-#include "plugin/reports/repairs.h"
-#include "plugin/reports/solids.h"
-#include "plugin/reports/trim.h"
+#include "plugin/reports/cuts/solids.h"
+#include "plugin/reports/cuts/trim.h"
+#include "plugin/reports/models/repairs.h"
 
 namespace blossom::cli {
 namespace {

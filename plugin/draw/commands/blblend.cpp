@@ -12,7 +12,7 @@
 #include "adapters/occt/strip.h"
 #include "plugin/draw/commands/commands.h"
 #include "plugin/draw/commands/words.h"
-#include "plugin/reports/strip.h"
+#include "plugin/reports/blends/strip.h"
 
 namespace blossom::draw {
 namespace {

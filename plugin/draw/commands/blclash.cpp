@@ -12,7 +12,7 @@
 #include "adapters/occt/clash.h"
 #include "plugin/draw/commands/commands.h"
 #include "plugin/draw/commands/words.h"
-#include "plugin/reports/clash.h"
+#include "plugin/reports/queries/clash.h"
 
 namespace blossom::draw {
 namespace {

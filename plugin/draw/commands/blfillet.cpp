@@ -6,7 +6,7 @@
 #include "plugin/draw/commands/commands.h"
 #include "plugin/draw/commands/fillet_chamfer.h"
 #include "plugin/draw/commands/words.h"
-#include "plugin/reports/blend_words.h"
+#include "plugin/reports/blends/blend_words.h"
 
 namespace blossom::draw {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <BRepPrimAPI_MakeBox.hxx>
 
-#include "plugin/reports/watertight.h"
+#include "plugin/reports/cuts/watertight.h"
 
 namespace blossom::cli {
 namespace {

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/reports/blends/fill.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "adapters/occt/base/errors.h"
+#include "plugin/reports/models/repairs.h"
+
+namespace blossom::reports {
+namespace {
+
+/// What is asked of an edge: its own word, else the one for all, which an edge without a neighbour
+/// takes as G0.
+FillContinuity asked_of(const FillWishes& wishes, const occt::HoleEdge& edge) {
+  if (wishes.continuity.size() == 1)
+    return edge.face.IsNull() ? FillContinuity::G0 : wishes.continuity.front();
+  const auto at = std::find(wishes.edges.begin(), wishes.edges.end(), edge.number);
+  return wishes.continuity[static_cast<std::size_t>(at - wishes.edges.begin())];
+}
+
+Hole filled(const FillWishes& wishes, occt::HoleLoop loop) {
+  Hole hole{.loop = std::move(loop), .filled = {}, .reason = {}, .message = {}};
+  std::vector<FillContinuity> continuity;
+  for (const occt::HoleEdge& edge : hole.loop) continuity.push_back(asked_of(wishes, edge));
+  try {
+    hole.filled = occt::filled_hole(hole.loop, continuity, wishes.options);
+    if (hole.filled.fill.problem != FillProblem::None) {
+      hole.reason = to_string(hole.filled.fill.problem);
+      hole.message = hole.filled.fill.message;
+    }
+  } catch (const occt::BadModel& error) {
+    hole.reason = "edges";
+    hole.message = error.what();
+  }
+  return hole;
+}
+
+Json contact_json(const FillContact& contact) {
+  return {{"gap", contact.gap},
+          {"normal_angle", contact.normal_angle},
+          {"curvature_difference", contact.curvature_difference}};
+}
+
+Json edges_json(const occt::HoleLoop& loop) {
+  Json edges = Json::array();
+  for (const occt::HoleEdge& edge : loop) edges.push_back(edge.number);
+  return edges;
+}
+
+Json hole_json(const Hole& hole) {
+  const Fill& fill = hole.filled.fill;
+  Json sides = Json::array();
+  for (std::size_t k = 0; k < hole.filled.sides.size(); ++k) {
+    const occt::FilledSide& side = hole.filled.sides[k];
+    Json json{{"edge", side.edge.number},
+              {"asked", to_string(side.continuity)},
+              {"exact", side.exact},
+              {"fit_error", side.error},
+              {"fit_angle", side.angle_error}};
+    json.update(contact_json(fill.figures.sides[k]));
+    sides.push_back(std::move(json));
+  }
+  return {{"edges", edges_json(hole.loop)},
+          {"layout", to_string(fill.layout)},
+          {"patches", fill.patches.size()},
+          {"degree", fill.degree},
+          {"rational", fill.rational},
+          {"reached", to_string(fill.reached)},
+          {"largest_curvature", fill.figures.largest_curvature},
+          {"residual", fill.residual},
+          {"least_weight", fill.least_weight},
+          {"inside", contact_json(fill.figures.inside)},
+          {"sides", std::move(sides)}};
+}
+
+}  // namespace
+
+FillAnswer fill_holes(const Input& input, const FillWishes& wishes,
+                      const std::function<void()>& step) {
+  const auto start = std::chrono::steady_clock::now();
+  const TopoDS_Shape& model = input.model.shape();
+  const bool named = !wishes.edges.empty();
+  const occt::OpenLoops found =
+      named ? occt::OpenLoops{occt::hole_loops(model, wishes.edges), {}} : occt::open_loops(model);
+  FillAnswer holes;
+  for (const occt::HoleLoop& loop : found.loops) {
+    step();
+    holes.all.push_back(filled(wishes, loop));
+    if (named && !holes.all.back().reason.empty())
+      throw occt::BadModel(input.name + ": " + holes.all.back().message);
+  }
+  for (const std::string& message : found.left_out)
+    holes.all.push_back({.loop = {}, .filled = {}, .reason = "edges", .message = message});
+  if (holes.all.empty()) throw occt::BadModel(input.name + " has no open edge, so no hole");
+  if (holes.filled() == 0) throw occt::BadModel(input.name + ": " + holes.all.front().message);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  holes.seconds = took.count();
+  return holes;
+}
+
+TopoDS_Shape filled_shape(const Input& input, const FillAnswer& answer, double tolerance,
+                          bool with_model) {
+  std::vector<occt::FilledHole> filled;
+  for (const Hole& hole : answer.all)
+    if (hole.reason.empty()) filled.push_back(hole.filled);
+  return occt::sewn_holes(filled, with_model ? input.model.shape() : TopoDS_Shape(),
+                          std::max(tolerance, Tolerances{}.point));
+}
+
+bool is_as_asked(const FillAnswer& answer) {
+  return std::ranges::all_of(answer.all, [](const Hole& hole) {
+    return hole.reason.empty() &&
+           std::ranges::all_of(hole.filled.sides, [&](const occt::FilledSide& side) {
+             return side.continuity <= hole.filled.fill.reached;
+           });
+  });
+}
+
+FillContact worst_of(const Fill& fill) {
+  FillContact worst = fill.figures.inside;
+  for (const FillContact& side : fill.figures.sides) {
+    worst.gap = std::max(worst.gap, side.gap);
+    worst.normal_angle = std::max(worst.normal_angle, side.normal_angle);
+    worst.curvature_difference = std::max(worst.curvature_difference, side.curvature_difference);
+  }
+  return worst;
+}
+
+Json fill_report(const Input& input, const FillAnswer& holes) {
+  Json filled = Json::array(), refused = Json::array();
+  for (const Hole& hole : holes.all)
+    if (hole.reason.empty())
+      filled.push_back(hole_json(hole));
+    else
+      refused.push_back(
+          {{"edges", edges_json(hole.loop)}, {"reason", hole.reason}, {"message", hole.message}});
+  return {{"schema", "blossom.blend/1"},
+          {"kind", "fill"},
+          {"file", input.name},
+          {"holes", std::move(filled)},
+          {"refused", std::move(refused)},
+          {"seconds", holes.seconds},
+          {"repairs", Json::array({repairs_json(input)})}};
+}
+
+}  // namespace blossom::reports

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/reports/blends/fillet.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "plugin/reports/blends/blend_words.h"
+#include "plugin/reports/models/repairs.h"
+
+namespace blossom::reports {
+namespace {
+
+bool can_be_rounded(const occt::EdgeFacts& edge) {
+  return edge.kind == occt::EdgeKind::Convex || edge.kind == occt::EdgeKind::Concave;
+}
+
+std::string kind_of(const FilletAnswer& answer) { return answer.of.chamfer ? "chamfer" : "fillet"; }
+
+std::string blend_name(const FilletAnswer& answer, const occt::FilletFace& face) {
+  return kind_of(answer) +
+         (face.edge > 0 ? " of edge " + std::to_string(face.edge) : " of a corner");
+}
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+// The radii at the ends and at the knots of a law.
+Json law_json(const std::optional<RadiusLaw>& law) {
+  if (!law) return nullptr;
+  std::vector<double> at{0};
+  for (const double knot : law->knots()) at.push_back(knot);
+  at.push_back(1);
+  std::vector<double> radii;
+  for (const double share : at) radii.push_back(law->at(share).value);
+  return {{"law", to_string(law->kind())}, {"at", at}, {"radii", radii}};
+}
+
+// What was asked for across the edges.
+Json size_json(const occt::FilletOptions& of) {
+  if (const auto& chamfer = of.chamfer)
+    return {{"distance", chamfer->first},
+            {"second_distance", number_or_null(chamfer->second)},
+            {"angle", number_or_null(chamfer->angle)}};
+  const bool conic = of.section.kind == SectionKind::Conic;
+  return {{"radius", of.law ? Json(nullptr) : Json(of.radius)},
+          {"law", law_json(of.law)},
+          {"section", section_name(of.section)},
+          {"rho", conic ? Json(of.section.rho) : Json(nullptr)}};
+}
+
+Json refusal_json(const occt::FilletRefusal& refusal) {
+  return {{"edge", refusal.edge > 0 ? Json(refusal.edge) : Json(nullptr)},
+          {"fault", to_string(refusal.fault)},
+          {"cause", refusal.cause},
+          {"parameter", number_or_null(refusal.parameter)},
+          {"point", refusal.point ? Json(refusal.point->coordinates) : Json(nullptr)},
+          {"largest_radius", number_or_null(refusal.largest)}};
+}
+
+}  // namespace
+
+std::vector<int> edges_to_round(const std::vector<occt::EdgeFacts>& facts,
+                                const std::string& kind) {
+  std::vector<int> edges;
+  for (const occt::EdgeFacts& each : facts)
+    if (kind == "all" ? can_be_rounded(each) : kind == to_string(each.kind))
+      edges.push_back(each.number);
+  return edges;
+}
+
+std::vector<int> edges_between(const std::vector<occt::EdgeFacts>& facts, int face, int other) {
+  const std::vector<int> pair{std::min(face, other), std::max(face, other)};
+  std::vector<int> edges;
+  for (const occt::EdgeFacts& each : facts) {
+    std::vector<int> faces = each.faces;
+    std::ranges::sort(faces);
+    if (faces == pair && each.kind != occt::EdgeKind::Degenerate) edges.push_back(each.number);
+  }
+  return edges;
+}
+
+double volume_of(const occt::FilletResult& made) {
+  double volume = 0;
+  for (const occt::FilletedSolid& solid : made.solids) volume += solid.volume;
+  return volume;
+}
+
+occt::Model blends_of(const FilletAnswer& answer) {
+  occt::Model blends;
+  for (const occt::FilletedSolid& solid : answer.made.solids)
+    for (const occt::FilletFace& face : solid.faces)
+      if (face.from == 0) blends.add(face.face, blend_name(answer, face));
+  return blends;
+}
+
+void put_fillets(occt::Model& part, const FilletAnswer& answer) {
+  const occt::Model blends = blends_of(answer);
+  std::vector<occt::CombinedSolid> solids;
+  int next = 0;
+  for (const occt::FilletedSolid& each : answer.made.solids) {
+    solids.push_back({each.solid, {}});
+    for (const occt::FilletFace& face : each.faces)
+      solids.back().faces.push_back(face.from > 0 ? occt::FaceOrigin{face.face, &part, face.from}
+                                                  : occt::FaceOrigin{face.face, &blends, ++next});
+  }
+  part.replace_solids(solids);
+}
+
+Json fillet_report(const Input& part, const FilletAnswer& answer) {
+  Json refused = Json::array();
+  for (const occt::FilletRefusal& each : answer.made.refused) refused.push_back(refusal_json(each));
+  const bool any = !answer.made.solids.empty();
+  Json report = {{"schema", "blossom.blend/1"}, {"kind", kind_of(answer)}, {"part", part.name}};
+  report.update(size_json(answer.of));
+  report.update({{"status", to_string(answer.made.status)},
+                 {"asked", answer.asked},
+                 {"edges", answer.made.edges},
+                 {"refused", std::move(refused)},
+                 {"notes", answer.made.notes},
+                 {"written", answer.written},
+                 {"volume",
+                  {{"before", answer.made.volume_before},
+                   {"after", any ? Json(volume_of(answer.made)) : Json(nullptr)}}},
+                 {"seconds", answer.seconds},
+                 {"repairs", Json::array({repairs_json(part)})}});
+  return report;
+}
+
+}  // namespace blossom::reports

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/reports/cuts/solids.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/soundness.h"
+#include "plugin/reports/cuts/intersection.h"
+#include "plugin/reports/cuts/trim.h"
+#include "plugin/reports/cuts/watertight.h"
+
+namespace blossom::reports {
+namespace {
+
+// What a tool is called: the files come first.
+std::string tool_name(const SolidAnswer& answer, int tool) {
+  const auto index = static_cast<std::size_t>(tool);
+  return index < answer.tools.size() ? answer.tools[index]
+                                     : plane_name(index - answer.tools.size());
+}
+
+// Faces that nothing reached are those of the inputs, and may be invalid as they were given.
+std::vector<std::string> invalid_as_given(const SolidAnswer& answer) {
+  std::vector<std::string> told;
+  for (const occt::SolidFace& face : answer.made.faces) {
+    const std::string fault = occt::face_fault(face.face);
+    if (fault.empty()) continue;
+    const std::string file = face.tool < 0 ? answer.part : tool_name(answer, face.tool);
+    told.push_back("face " + std::to_string(face.from + 1) + " of " + file + " is not valid (" +
+                   fault + "), and in the result as it was given");
+  }
+  return told;
+}
+
+std::vector<std::string> idle_planes(const SolidAnswer& answer) {
+  std::vector<std::string> told;
+  for (std::size_t i = 0; i < answer.planes.size() && !answer.made.solids.empty(); ++i) {
+    const int tool = static_cast<int>(answer.tools.size() + i);
+    if (std::ranges::none_of(answer.made.faces,
+                             [tool](const occt::SolidFace& face) { return face.tool == tool; }))
+      told.push_back(plane_name(i) + " cuts nothing of what is in the result");
+  }
+  return told;
+}
+
+int face_count(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  return faces.Extent();
+}
+
+int shell_count(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape shells;
+  TopExp::MapShapes(shape, TopAbs_SHELL, shells);
+  return shells.Extent();
+}
+
+Json volumes_json(const occt::SolidVolumes& volumes) {
+  return {{"part", volumes.part},
+          {"tool", volumes.tool},
+          {"cut", volumes.cut},
+          {"common", volumes.common},
+          {"fuse", volumes.fuse},
+          {"cut_error", volumes.cut_error()},
+          {"fuse_error", volumes.fuse_error()}};
+}
+
+}  // namespace
+
+std::optional<occt::SolidOperation> solid_operation(const std::string& word) {
+  static const std::map<std::string, occt::SolidOperation> operations = {
+      {"cut", occt::SolidOperation::Cut},
+      {"common", occt::SolidOperation::Common},
+      {"fuse", occt::SolidOperation::Fuse},
+      {"split", occt::SolidOperation::Split}};
+  const auto found = operations.find(word);
+  if (found == operations.end()) return std::nullopt;
+  return found->second;
+}
+
+std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
+                                         const occt::SolidTrimResult& made, const occt::Model& part,
+                                         const std::vector<const occt::Model*>& tools) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  std::vector<occt::FaceOrigin> origins;
+  for (const occt::SolidFace& face : made.faces)
+    if (faces.RemoveKey(face.face))
+      origins.push_back({face.face,
+                         face.tool < 0 ? &part : tools[static_cast<std::size_t>(face.tool)],
+                         face.from + 1});
+  return origins;
+}
+
+void note_faces(SolidAnswer& answer) {
+  answer.invalid = invalid_as_given(answer);
+  answer.idle = idle_planes(answer);
+}
+
+Json solid_report(const SolidAnswer& answer) {
+  Json solids = Json::array(), steps = Json::array();
+  for (const occt::SolidVolumes& volumes : answer.made.volumes)
+    steps.push_back(volumes_json(volumes));
+  for (const TopoDS_Solid& solid : answer.made.solids)
+    solids.push_back({{"faces", face_count(solid)}, {"voids", shell_count(solid) - 1}});
+  return {{"schema", "blossom.solid/1"},
+          {"part", answer.part},
+          {"tools", answer.tools},
+          {"planes", planes_json(answer.planes)},
+          {"operation", answer.operation},
+          {"status", to_string(answer.made.status)},
+          {"written", answer.written},
+          {"seconds", answer.seconds},
+          {"solids", std::move(solids)},
+          {"volumes", steps.empty() ? Json(nullptr) : steps.back()},
+          {"steps", steps},
+          {"total",
+           {{"part", answer.made.total.part},
+            {"tools", answer.made.total.tools},
+            {"result", answer.made.total.result}}},
+          {"obstacles", answer.made.obstacles},
+          {"thin", answer.made.thin},
+          {"tolerances", answer.made.tolerances},
+          {"invalid", answer.invalid},
+          {"idle", answer.idle},
+          {"watertight", answer.watertight ? to_json(*answer.watertight) : Json(nullptr)},
+          {"certificate", to_json(answer.made.certificate)},
+          {"repairs", answer.repairs}};
+}
+
+}  // namespace blossom::reports

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What combining solids is told and what it tells; see plugin/cli/schemas/solid-1.md.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adapters/occt/plane_section.h"
+#include "adapters/occt/shapes.h"
+#include "adapters/occt/solid_trim.h"
+#include "core/watertight/watertight.h"
+#include "plugin/reports/text/json.h"
+
+namespace blossom::reports {
+
+/// By its word: cut, common, fuse or split; nothing for another one.
+std::optional<occt::SolidOperation> solid_operation(const std::string& word);
+
+struct SolidAnswer {
+  std::string part{};
+  std::vector<std::string> tools{};
+  std::vector<occt::Plane> planes{};  ///< above which they cut like a tool, after the tools
+  std::string operation{};
+  occt::SolidTrimResult made{};
+  std::vector<std::string> invalid{};  ///< faces of the result that were given so
+  std::vector<std::string> idle{};     ///< planes in which no face of the result lies
+  std::optional<WatertightPieces> watertight{};
+  bool written = false;
+  double seconds = 0;
+  Json repairs = Json::array();  ///< of all inputs
+};
+
+/// Notes what of the result was invalid as it was given, and which planes cut nothing of it.
+void note_faces(SolidAnswer& answer);
+
+/// Where the faces of a solid come from, those of the part first. Faces that two solids have in
+/// common stand twice among those of the result.
+std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
+                                         const occt::SolidTrimResult& made, const occt::Model& part,
+                                         const std::vector<const occt::Model*>& tools);
+
+/// The whole object, schema "blossom.solid/1".
+Json solid_report(const SolidAnswer& answer);
+
+}  // namespace blossom::reports

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The edges of a model, as JSON; see plugin/cli/schemas/info-1.md.
+
+#pragma once
+
+#include <vector>
+
+#include "adapters/occt/edge_facts.h"
+#include "plugin/reports/text/json.h"
+
+namespace blossom::reports {
+
+/// Number, faces, kind, angle, length and middle point of each.
+Json edges_json(const std::vector<occt::EdgeFacts>& edges);
+
+}  // namespace blossom::reports

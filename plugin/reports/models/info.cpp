@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/reports/models/info.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <ShapeAnalysis_ShapeTolerance.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/surface_words.h"
+
+namespace blossom::reports {
+namespace {
+
+struct Counted {
+  TopAbs_ShapeEnum kind;
+  const char* one;
+  const char* many;
+};
+
+constexpr std::array kCounted = {
+    Counted{TopAbs_SOLID, "solid", "solids"}, Counted{TopAbs_SHELL, "shell", "shells"},
+    Counted{TopAbs_FACE, "face", "faces"}, Counted{TopAbs_EDGE, "edge", "edges"},
+    Counted{TopAbs_VERTEX, "vertex", "vertices"}};
+
+int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, kind, map);
+  return map.Extent();
+}
+
+FaceFacts face_facts(const TopoDS_Face& face, int number, std::vector<std::string> problems) {
+  FaceFacts facts;
+  facts.number = number;
+  facts.problems = std::move(problems);
+  facts.wires = count(face, TopAbs_WIRE);
+  facts.edges = count(face, TopAbs_EDGE);
+  facts.tolerance = BRep_Tool::Tolerance(face);
+  if (BRep_Tool::Surface(face).IsNull()) {
+    facts.surface = "none";
+    return facts;
+  }
+  BRepTools::UVBounds(face, facts.u.from, facts.u.to, facts.v.from, facts.v.to);
+  const BRepAdaptor_Surface surface(face, Standard_False);
+  facts.surface = occt::surface_word(surface.GetType());
+  if (surface.GetType() == GeomAbs_BezierSurface || surface.GetType() == GeomAbs_BSplineSurface) {
+    const bool bezier = surface.GetType() == GeomAbs_BezierSurface;
+    facts.degree_u = surface.UDegree();
+    facts.degree_v = surface.VDegree();
+    facts.spans_u = bezier ? 1 : surface.NbUKnots() - 1;
+    facts.spans_v = bezier ? 1 : surface.NbVKnots() - 1;
+    facts.rational = surface.IsURational() || surface.IsVRational();
+  }
+  facts.periodic_u = surface.IsUPeriodic();
+  facts.periodic_v = surface.IsVPeriodic();
+  return facts;
+}
+
+// None of what has no vertex, or no end.
+std::optional<occt::LeastBox> box_of(const TopoDS_Shape& shape,
+                                     const std::function<bool()>& cancelled) try {
+  return occt::least_box(shape, cancelled);
+} catch (const occt::BadModel&) {
+  return std::nullopt;
+}
+
+Json face_json(const FaceFacts& face) {
+  Json json = {{"number", face.number}, {"name", face.name}, {"surface", face.surface}};
+  if (face.degree_u > 0) {
+    json["degree"] = {face.degree_u, face.degree_v};
+    json["spans"] = {face.spans_u, face.spans_v};
+    json["rational"] = face.rational;
+  }
+  if (face.surface != "none")
+    json["parameters"] = {{face.u.from, face.u.to}, {face.v.from, face.v.to}};
+  json["periodic"] = {face.periodic_u, face.periodic_v};
+  json["wires"] = face.wires;
+  json["edges"] = face.edges;
+  json["tolerance"] = face.tolerance;
+  json["valid"] = face.problems.empty();
+  json["problems"] = face.problems;
+  return json;
+}
+
+}  // namespace
+
+TopoDS_Shape subject_of(const Input& input) {
+  if (!input.selected.IsNull()) return input.selected;
+  const bool all = input.faces.size() == input.model.face_names().size();
+  if (all) return input.model.shape();
+  return occt::compound_of(input.faces);
+}
+
+ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::string>>& problems,
+                       const std::function<bool()>& cancelled) {
+  ModelFacts facts;
+  const std::vector<std::string> names = input.model.face_names();
+  for (std::size_t i = 0; i < input.faces.size(); ++i) {
+    facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], problems[i]));
+    FaceFacts& face = facts.faces.back();
+    face.name = given_name(names[static_cast<std::size_t>(face.number - 1)]);
+    ++facts.surfaces[face.surface];
+    facts.valid = facts.valid && face.problems.empty();
+  }
+  ShapeAnalysis_ShapeTolerance tolerances;
+  const TopoDS_Shape subject = subject_of(input);
+  facts.least_tolerance = tolerances.Tolerance(subject, -1);
+  facts.largest_tolerance = tolerances.Tolerance(subject, 1);
+  // Numbers that are none would go into the box, too.
+  if (facts.valid) facts.box = box_of(subject, cancelled);
+  return facts;
+}
+
+std::vector<ShapeCount> shape_counts(const TopoDS_Shape& shape) {
+  std::vector<ShapeCount> counts;
+  for (const auto& [kind, one, many] : kCounted) counts.push_back({count(shape, kind), one, many});
+  return counts;
+}
+
+Json info_report(const Input& input, const ModelFacts& facts) {
+  Json json = {{"schema", "blossom.info/1"},
+               {"file", input.name},
+               {"unit", "mm"},
+               {"file_unit", input.model.file_unit()}};
+  for (const ShapeCount& each : shape_counts(subject_of(input)))
+    json["counts"][each.many] = each.count;
+  json["surfaces"] = facts.surfaces;
+  json["box"] = nullptr;
+  if (facts.box) {
+    json["box"] = {facts.box->box.low.coordinates, facts.box->box.high.coordinates};
+    json["box_precision"] = facts.box->precision;
+  }
+  json["tolerance"] = {{"least", facts.least_tolerance}, {"largest", facts.largest_tolerance}};
+  json["valid"] = facts.valid;
+  json["faces"] = Json::array();
+  for (const FaceFacts& face : facts.faces) json["faces"].push_back(face_json(face));
+  return json;
+}
+
+}  // namespace blossom::reports

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/reports/models/repairs.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iomanip>
+#include <sstream>
+
+namespace blossom::reports {
+namespace {
+
+constexpr std::size_t kListed = 10;
+
+// Two figures tell how much.
+std::string length_text(double length) {
+  std::ostringstream text;
+  text << std::setprecision(2) << length;
+  return text.str();
+}
+
+std::size_t added_count(const occt::Repairs& repairs) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(repairs.missing, &occt::Repairs::MissingCurve::added));
+}
+
+// "title: first, second, and 3 more", to a list of lines; nothing if there are none.
+template <class Members, class Words>
+void add_line(const std::string& title, const Members& members, const Words& words_of,
+              std::vector<std::string>& lines) {
+  if (members.empty()) return;
+  std::string line = title;
+  for (std::size_t i = 0; i < std::min(members.size(), kListed); ++i)
+    line += (i == 0 ? ": " : ", ") + words_of(members[i]);
+  if (members.size() > kListed)
+    line += ", and " + std::to_string(members.size() - kListed) + " more";
+  lines.push_back(std::move(line));
+}
+
+std::string place_of(int face, int edge) {
+  return "edge " + std::to_string(edge) + " on face " + std::to_string(face);
+}
+
+}  // namespace
+
+std::string summary_of(const occt::Repairs& repairs) {
+  std::vector<std::string> parts;
+  if (const std::size_t remade = repairs.remade.size(); remade > 0)
+    parts.push_back(counted(remade, "parameter curve") + " recomputed (up to " +
+                    length_text(repairs.largest_gap()) + ")");
+  if (const std::size_t raised = repairs.edges.size() + repairs.vertices.size(); raised > 0) {
+    const std::string noun = raised == 1 ? " tolerance" : " tolerances";
+    parts.push_back(std::to_string(raised) + noun + " raised (up to " +
+                    length_text(repairs.largest_tolerance()) + ")");
+  }
+  const std::size_t added = added_count(repairs), missing = repairs.missing.size() - added;
+  if (added > 0) parts.push_back(counted(added, "missing parameter curve") + " made");
+  if (missing > 0)
+    parts.push_back(counted(missing, "missing parameter curve") + " could not be made");
+  if (!repairs.failed.empty())
+    parts.push_back(counted(repairs.failed.size(), "face") + " used without repairs, which fail");
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
+std::vector<std::string> details_of(const occt::Repairs& repairs) {
+  std::vector<std::string> lines;
+  const auto raised = [](const occt::Repairs::RaisedTolerance& each) {
+    return std::to_string(each.number) + " (" + length_text(each.tolerance) + ")";
+  };
+  add_line(
+      "parameter curves recomputed", repairs.remade,
+      [](const occt::Repairs::RemadeCurve& each) {
+        return place_of(each.face, each.edge) + " (" + length_text(each.gap) + ")";
+      },
+      lines);
+  add_line("tolerances raised of edges", repairs.edges, raised, lines);
+  add_line("tolerances raised of vertices", repairs.vertices, raised, lines);
+  add_line(
+      "parameter curves missing", repairs.missing,
+      [](const occt::Repairs::MissingCurve& each) {
+        return place_of(each.face, each.edge) + (each.added ? "" : " (not made)");
+      },
+      lines);
+  add_line(
+      "repairs fail of faces", repairs.failed, [](int face) { return std::to_string(face); },
+      lines);
+  return lines;
+}
+
+Json repairs_json(const Input& input) {
+  const occt::Repairs& repairs = input.repairs;
+  const std::size_t added = added_count(repairs);
+  return {{"input", input.name},
+          {"curves_recomputed",
+           {{"count", repairs.remade.size()}, {"largest_gap", repairs.largest_gap()}}},
+          {"tolerances_raised",
+           {{"edges", repairs.edges.size()},
+            {"vertices", repairs.vertices.size()},
+            {"largest", repairs.largest_tolerance()}}},
+          {"curves_added", added},
+          {"curves_missing", repairs.missing.size() - added},
+          {"faces_not_repaired", repairs.failed}};
+}
+
+}  // namespace blossom::reports

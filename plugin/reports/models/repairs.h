@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What was repaired of an input, in words and in reports.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "adapters/occt/repairs.h"
+#include "plugin/reports/models/input.h"
+#include "plugin/reports/text/json.h"
+
+namespace blossom::reports {
+
+/// "117 parameter curves recomputed (up to 0.004), 34 tolerances raised (up to 2e-05)".
+std::string summary_of(const occt::Repairs& repairs);
+
+/// Where that was, the first ten of each kind, a line for each kind.
+std::vector<std::string> details_of(const occt::Repairs& repairs);
+
+/// What reports say of it; they have a list, `repairs`, of each input in the order in which the
+/// command takes them.
+Json repairs_json(const Input& input);
+
+}  // namespace blossom::reports
