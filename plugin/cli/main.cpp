@@ -2,8 +2,8 @@
 // The program `blossom`.
 
 #include "adapters/occt/shapes.h"
+#include "plugin/cli/process/reproduction.h"
 #include "plugin/cli/program.h"
-#include "plugin/cli/reproduction.h"
 
 int main(int argc, char** argv) {
   blossom::occt::quiet_messages();

@@ -13,11 +13,11 @@
 
 #include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
+#include "plugin/cli/arguments/usage.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/reading.h"
-#include "plugin/cli/supervision.h"
-#include "plugin/cli/usage.h"
+#include "plugin/cli/output/reading.h"
+#include "plugin/cli/process/supervision.h"
 
 namespace blossom::cli {
 namespace {

@@ -128,6 +128,7 @@ def faults(files):
     for library in ("core", "adapters/occt", "plugin/reports"):
         yield from cycles(files, library)
         yield from crowded(files, library)
+    yield from crowded(files, "plugin/cli")
     yield from foreign(files, "core", ".h", ['"core/', STANDARD])
     yield from foreign(files, "core", ".cpp", ['"core/', STANDARD, CORE_LIBRARIES])
     for library in ("occt", "cgal", "openmesh"):
@@ -161,7 +162,9 @@ def self_test(files):
         "a cycle in a room": {"core/cells/x.h": '#include "core/cells/y.h"\n',
                               "core/cells/y.cpp": '#include "core/cells/x.h"\n#include "core/cells/y.h"\n'},
         "Open CASCADE in core": {"core/forms/added.cpp": "#include <gp_Pnt.hxx>\n"},
-        "a door in another": {"plugin/draw/added.cpp": '#include "plugin/cli/usage.h"\n'},
+        "a door in another": {"plugin/draw/added.cpp": '#include "plugin/cli/arguments/usage.h"\n'},
+        "an answer's report below the model's": {
+            "plugin/reports/models/added.cpp": '#include "plugin/reports/cuts/trim.h"\n'},
         "exchange below faces": {"adapters/occt/faces/added.cpp": '#include "adapters/occt/exchange/step.h"\n'},
         "a crowd": {f"core/plane/added{i}.h": "" for i in range(MOST_HEADERS)},
     }

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "plugin/cli/interruption.h"
+#include "plugin/cli/process/interruption.h"
 
 namespace blossom::cli {
 namespace {

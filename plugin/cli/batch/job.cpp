@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/output.h"
+#include "plugin/cli/output/output.h"
 #include "plugin/reports/text/nesting.h"
 
 namespace blossom::cli {

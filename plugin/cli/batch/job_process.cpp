@@ -23,9 +23,9 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/kept_models.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/reproduction.h"
-#include "plugin/cli/supervision.h"
-#include "plugin/cli/verbosity.h"
+#include "plugin/cli/output/verbosity.h"
+#include "plugin/cli/process/reproduction.h"
+#include "plugin/cli/process/supervision.h"
 
 namespace blossom::cli {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <sstream>
 
+#include "plugin/cli/arguments/values.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/values.h"
 #include "plugin/reports/text/nesting.h"
 
 namespace blossom::cli {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plugin/cli/batch/job.h"
-#include "plugin/cli/output.h"
+#include "plugin/cli/output/output.h"
 
 namespace blossom::cli {
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "plugin/cli/verbosity.h"
+#include "plugin/cli/output/verbosity.h"
 
 namespace blossom::cli {
 namespace {

@@ -12,9 +12,9 @@
 #include <fstream>
 
 #include "adapters/occt/base/errors.h"
+#include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/inputs.h"
-#include "plugin/cli/interruption.h"
+#include "plugin/cli/process/interruption.h"
 
 namespace blossom::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plugin/cli/batch/outcome.h"
-#include "plugin/cli/output.h"
+#include "plugin/cli/output/output.h"
 
 namespace blossom::cli {
 

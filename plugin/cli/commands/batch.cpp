@@ -11,16 +11,16 @@
 #include <vector>
 
 #include "adapters/occt/kept_models.h"
+#include "plugin/cli/arguments/inputs.h"
+#include "plugin/cli/arguments/options.h"
+#include "plugin/cli/arguments/values.h"
 #include "plugin/cli/batch/driver.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/inputs.h"
-#include "plugin/cli/interruption.h"
-#include "plugin/cli/options.h"
-#include "plugin/cli/output.h"
-#include "plugin/cli/supervision.h"
-#include "plugin/cli/values.h"
-#include "plugin/cli/verbosity.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/cli/output/verbosity.h"
+#include "plugin/cli/process/interruption.h"
+#include "plugin/cli/process/supervision.h"
 #include "plugin/cli/version.h"
 
 namespace blossom::cli {

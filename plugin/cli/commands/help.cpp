@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "plugin/cli/arguments/usage.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/output.h"
-#include "plugin/cli/usage.h"
+#include "plugin/cli/output/output.h"
 
 namespace blossom::cli {
 

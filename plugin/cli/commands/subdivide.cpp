@@ -13,15 +13,15 @@
 
 #include <TopoDS.hxx>
 
+#include "plugin/cli/arguments/options.h"
+#include "plugin/cli/arguments/values.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/subdivide_whole.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_input.h"
-#include "plugin/cli/options.h"
-#include "plugin/cli/output.h"
+#include "plugin/cli/output/output.h"
 #include "plugin/cli/picture/files.h"
-#include "plugin/cli/values.h"
+#include "plugin/cli/process/interruption.h"
 #include "plugin/nets/net_shapes.h"
 #include "plugin/nets/subdivision.h"
 #include "plugin/reports/models/repairs.h"

@@ -6,12 +6,12 @@
 
 #include <TopoDS.hxx>
 
-#include "plugin/cli/commands/query_parts.h"
+#include "plugin/cli/arguments/inputs.h"
+#include "plugin/cli/commands/query/query_parts.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/inputs.h"
-#include "plugin/cli/interruption.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/picture/mesh.h"
+#include "plugin/cli/process/interruption.h"
 #include "plugin/nets/net_json.h"
 #include "plugin/nets/whole_parts.h"
 

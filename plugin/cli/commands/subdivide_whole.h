@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "plugin/cli/options.h"
-#include "plugin/cli/output.h"
+#include "plugin/cli/arguments/options.h"
+#include "plugin/cli/output/output.h"
 
 namespace blossom::cli {
 

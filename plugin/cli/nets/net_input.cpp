@@ -7,8 +7,8 @@
 #include <TopoDS_Face.hxx>
 
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/interruption.h"
-#include "plugin/cli/output.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/cli/process/interruption.h"
 #include "plugin/nets/net_json.h"
 #include "plugin/nets/net_models.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/cli/inputs.h"
+#include "plugin/cli/arguments/inputs.h"
 #include "plugin/nets/net.h"
 
 namespace blossom::cli {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "plugin/cli/output.h"
+#include "plugin/cli/output/output.h"
 #include "plugin/cli/picture/scene.h"
 
 namespace blossom::cli {

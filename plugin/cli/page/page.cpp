@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "adapters/occt/base/errors.h"
-#include "plugin/cli/output.h"
+#include "plugin/cli/output/output.h"
 #include "plugin/cli/page/base64.h"
 #include "plugin/cli/page/viewer_files.h"
 #include "plugin/cli/picture/scene.h"

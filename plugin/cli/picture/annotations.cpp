@@ -7,10 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "plugin/cli/arguments/values.h"
 #include "plugin/cli/picture/canvas.h"
 #include "plugin/cli/picture/lettering.h"
 #include "plugin/cli/picture/overlay.h"
-#include "plugin/cli/values.h"
 
 namespace blossom::cli {
 namespace {

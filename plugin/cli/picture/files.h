@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/cli/options.h"
+#include "plugin/cli/arguments/options.h"
 #include "plugin/cli/picture/picture.h"
 
 namespace blossom::cli {

@@ -3,9 +3,9 @@
 
 #include <charconv>
 
+#include "plugin/cli/arguments/values.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/picture/view.h"
-#include "plugin/cli/values.h"
 
 namespace blossom::cli {
 namespace {

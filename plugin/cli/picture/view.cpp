@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/arguments/vectors.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/values.h"
-#include "plugin/cli/vectors.h"
 
 namespace blossom::cli {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A list of jobs is read, a file of results, and what users type: shards and names of inputs.
 #include "adapters/occt/base/errors.h"
+#include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/batch/job_list.h"
 #include "plugin/cli/batch/outcome.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/inputs.h"
 #include "tests/fuzz/support/files.h"
 
 namespace blossom::fuzz {

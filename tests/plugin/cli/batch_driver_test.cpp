@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/supervision.h"
+#include "plugin/cli/process/supervision.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::cli {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/inputs.h"
+#include "plugin/cli/arguments/inputs.h"
 
 #include <gtest/gtest.h>
 
 #include "adapters/occt/base/errors.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/output.h"
+#include "plugin/cli/output/output.h"
 #include "tests/plugin/cli/program.h"
 #include "tests/support/loose_shapes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // --log and --profile: what a command was at, also when it did not come to its end.
 
-#include "plugin/cli/stages.h"
+#include "plugin/cli/process/stages.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/cli/supervision.h"
+#include "plugin/cli/process/supervision.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::cli {

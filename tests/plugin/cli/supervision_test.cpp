@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The parent of a command: crashes, limits and signals of the work become exit codes and words.
 
-#include "plugin/cli/supervision.h"
+#include "plugin/cli/process/supervision.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -15,8 +15,8 @@
 #include <thread>
 #include <vector>
 
-#include "plugin/cli/interruption.h"
-#include "plugin/cli/verbosity.h"
+#include "plugin/cli/output/verbosity.h"
+#include "plugin/cli/process/interruption.h"
 
 namespace blossom::cli {
 namespace {

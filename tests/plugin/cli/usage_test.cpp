@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "plugin/cli/values.h"
-#include "plugin/cli/verbosity.h"
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/output/verbosity.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom {

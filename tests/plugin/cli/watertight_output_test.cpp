@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/watertight_output.h"
+#include "plugin/cli/output/watertight_output.h"
 
 #include <gtest/gtest.h>
 

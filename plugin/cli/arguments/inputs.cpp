@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/arguments/inputs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <map>
+#include <memory>
+#include <set>
+#include <system_error>
+
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/base/errors.h"
+#include "plugin/cli/arguments/selection.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/cli/output/reading.h"
+#include "plugin/cli/output/verbosity.h"
+#include "plugin/cli/process/interruption.h"
+#include "plugin/cli/process/supervision.h"
+#include "plugin/meshes/mesh_files.h"
+#include "plugin/nets/net_json.h"
+#include "plugin/reports/models/repairs.h"
+
+namespace blossom::cli {
+namespace {
+
+// Face numbers of one entry, "3" or "5-9".
+std::pair<int, int> face_range(const std::string& entry, const std::string& input) {
+  const auto bad = [&]() {
+    return UsageError("input '" + input + "': '" + entry +
+                      "' is no face number and no range such as 5-9");
+  };
+  const char* const end = entry.data() + entry.size();
+  int first = 0;
+  auto read = std::from_chars(entry.data(), end, first);
+  if (read.ec != std::errc{} || first < 1) throw bad();
+  int last = first;
+  if (read.ptr != end) {
+    if (*read.ptr != '-') throw bad();
+    read = std::from_chars(read.ptr + 1, end, last);
+    if (read.ec != std::errc{} || read.ptr != end || last < first) throw bad();
+  }
+  return {first, last};
+}
+
+bool exists(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
+// Of files that are in use.
+std::shared_ptr<occt::Model> model_of(const std::filesystem::path& file) {
+  static std::map<std::filesystem::path, std::weak_ptr<occt::Model>> known;
+  std::error_code missing;  // told by reading
+  const std::filesystem::path canonical = std::filesystem::canonical(file, missing);
+  if (missing) return std::make_shared<occt::Model>(read_told(file));
+  if (std::shared_ptr<occt::Model> model = known[canonical].lock()) return model;
+  auto model = std::make_shared<occt::Model>(read_told(file));
+  known[canonical] = model;
+  return model;
+}
+
+// Each once, in increasing order.
+std::vector<int> chosen_numbers(const InputName& name, int count, Faces need) {
+  if (count == 0 && need == Faces::Required)
+    throw occt::BadModel(name.file.string() + ": there is no face in it");
+  std::set<int> wanted;
+  for (const auto& [first, last] : name.faces) {
+    if (last > count)
+      throw occt::BadModel(name.file.string() + ": there is no face " +
+                           std::to_string(first > count ? first : last) + " in it, it has " +
+                           counted(static_cast<std::size_t>(count), "face"));
+    for (int number = first; number <= last; ++number) wanted.insert(number);
+  }
+  if (name.is_whole())
+    for (int number = 1; number <= count; ++number) wanted.insert(number);
+  return {wanted.begin(), wanted.end()};
+}
+
+// A name has letters; what has none is meant as numbers.
+bool is_name(const std::string& entry) {
+  return std::ranges::any_of(entry, [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte >= 0x80 || std::isalpha(byte) != 0;
+  });
+}
+
+// Solids, faces that are in none of them, and edges, side by side.
+TopoDS_Shape shape_of(const Selection& selection, const std::vector<int>& faces,
+                      const occt::Model& model) {
+  TopTools_IndexedMapOfShape solids, edges, bounding;
+  TopExp::MapShapes(model.shape(), TopAbs_SOLID, solids);
+  TopExp::MapShapes(model.shape(), TopAbs_EDGE, edges);
+  std::vector<TopoDS_Shape> shapes;
+  for (const int number : selection.solids) {
+    shapes.push_back(solids(number));
+    TopExp::MapShapes(solids(number), TopAbs_FACE, bounding);
+  }
+  for (const int number : faces)
+    if (!bounding.Contains(model.face(number))) shapes.push_back(model.face(number));
+  for (const int number : selection.edges) shapes.push_back(edges(number));
+  return occt::compound_of(shapes);
+}
+
+// What words name, beside the faces that numbers do.
+void select(const InputName& name, Faces need, Input& input) {
+  const Selection selection = selection_of(input.model, name.words);
+  std::set<int> faces(input.numbers.begin(), input.numbers.end());
+  faces.insert(selection.faces.begin(), selection.faces.end());
+  input.numbers.assign(faces.begin(), faces.end());
+  input.solids.assign(selection.solids.begin(), selection.solids.end());
+  input.edges.assign(selection.edges.begin(), selection.edges.end());
+  if (need == Faces::Required && !input.edges.empty())
+    throw UsageError("input '" + input.name + "': an edge is named where faces are wanted");
+  if (!input.solids.empty() || !input.edges.empty())
+    input.selected = shape_of(selection, input.numbers, input.model);
+}
+
+void tell(const occt::Repairs& repairs, const std::filesystem::path& file) {
+  if (repairs.empty()) return;
+  note(file.string() + ": " + reports::summary_of(repairs));
+  for (const std::string& line : reports::details_of(repairs)) detail("  " + line);
+}
+
+}  // namespace
+
+InputName parse_input(const std::string& text) {
+  const std::size_t mark = text.rfind('#');
+  if (mark == std::string::npos || exists(text)) return {text, {}, {}};
+
+  InputName name{text.substr(0, mark), {}, {}};
+  std::size_t begin = mark + 1;
+  while (true) {
+    const std::size_t comma = text.find(',', begin);
+    const std::string entry = text.substr(begin, comma - begin);
+    if (is_name(entry))
+      name.words.push_back(entry);
+    else
+      name.faces.push_back(face_range(entry, text));
+    if (comma == std::string::npos) return name;
+    begin = comma + 1;
+  }
+}
+
+void refuse_special(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status) ||
+      std::filesystem::is_directory(status))
+    return;
+  throw UsageError(file.string() + ": is a " +
+                   (std::filesystem::is_fifo(status) ? "pipe" : "device") +
+                   ", only regular files are read and written");
+}
+
+Input read_input(const std::string& text, Faces need, Repair repair) {
+  const InputName name = parse_input(text);
+  if (nets::is_net_file(name.file) && cli::exists(name.file))
+    throw occt::BadModel(name.file.string() +
+                         ": is of nets (.json), which subdivide and convert take alone; "
+                         "`blossom convert` makes a model of them");
+  if (meshes::is_mesh_file(name.file) && cli::exists(name.file))
+    throw occt::BadModel(name.file.string() +
+                         ": is of triangles, which check, intersect, query plane, query distance, "
+                         "blend fill and convert take alone");
+  const std::shared_ptr<occt::Model> model = model_of(name.file);
+  Input input{text, model, *model};
+  input.shape = model->shape();
+  input.numbers = chosen_numbers(name, model->face_count(), need);
+  if (!name.words.empty()) select(name, need, input);
+  for (const int number : input.numbers) input.faces.push_back(model->face(number));
+  if (repair == Repair::None) return input;
+  enter(Phase::Working, "repairing " + name.file.string());
+  input.repairs = name.is_whole() ? model->repair(stop_if_interrupted)
+                                  : model->repair(input.numbers, stop_if_interrupted);
+  tell(input.repairs, name.file);
+  return input;
+}
+
+std::string FaceLabels::of(int number) const {
+  const std::string part = given_name(parts_.at(static_cast<std::size_t>(number) - 1));
+  return "face " + std::to_string(number) + (part.empty() ? "" : " (" + part + ")");
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/arguments/selection.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/reports/models/input.h"
+
+namespace blossom::cli {
+namespace {
+
+using occt::AssemblyNode;
+using reports::given_name;
+
+std::optional<int> number_in(std::string_view text) {
+  int number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || number < 1) return {};
+  return number;
+}
+
+// "Face3": a kind and a number, whatever the case of the letters.
+struct Counted {
+  char kind = 0;  // f, e or s
+  int number = 0;
+};
+
+std::optional<Counted> counted_in(const std::string& word) {
+  std::string small = word;
+  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* kind : {"face", "edge", "solid"}) {
+    const std::string_view of(kind);
+    if (!small.starts_with(of)) continue;
+    if (const auto number = number_in(std::string_view(small).substr(of.size())))
+      return Counted{kind[0], *number};
+  }
+  return std::nullopt;
+}
+
+class Selecting {
+ public:
+  explicit Selecting(const occt::Model& model) : model_(model), tree_(model.assembly()) {
+    TopExp::MapShapes(model.shape(), TopAbs_SOLID, solids_);
+    TopExp::MapShapes(model.shape(), TopAbs_EDGE, edges_);
+    TopExp::MapShapes(model.shape(), TopAbs_FACE, faces_);
+  }
+
+  void add(const std::string& word) {
+    const std::size_t colon = word.find(':');
+    const std::string kind = word.substr(0, colon);
+    const bool numbered = kind == "face" || kind == "edge" || kind == "solid";
+    if (colon != std::string::npos && numbered) return add_number(kind, word.substr(colon + 1));
+    const bool part = kind == "part" && colon != std::string::npos;
+    add_named(part ? word.substr(colon + 1) : word);
+  }
+
+  const Selection& made() const { return made_; }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw occt::BadModel(model_.file().string() + ": " + why);
+  }
+
+  void add_number(const std::string& kind, const std::string& text) {
+    const std::optional<int> number = number_in(text);
+    if (!number)
+      throw UsageError(model_.file().string() + ": '" + kind + ":" + text + "' has no number");
+    const auto& all = kind == "solid" ? solids_ : kind == "edge" ? edges_ : faces_;
+    if (*number > all.Extent())
+      refuse("there is no " + kind + " " + text + " in it, it has " +
+             counted(static_cast<std::size_t>(all.Extent()), kind));
+    if (kind == "solid") add_solid(*number);
+    if (kind == "edge") made_.edges.insert(*number);
+    if (kind == "face") made_.faces.insert(*number);
+  }
+
+  void add_solid(int number) {
+    made_.solids.insert(number);
+    TopTools_IndexedMapOfShape own;
+    TopExp::MapShapes(solids_(number), TopAbs_FACE, own);
+    for (int i = 1; i <= own.Extent(); ++i) made_.faces.insert(faces_.FindIndex(own(i)));
+  }
+
+  void add_named(const std::string& word) {
+    if (const auto nodes = nodes_called(word); !nodes.empty()) {
+      for (const AssemblyNode* node : nodes) add_node(*node);
+      return;
+    }
+    const std::size_t slash = word.rfind('/');
+    const auto which =
+        slash == std::string::npos ? std::nullopt : counted_in(word.substr(slash + 1));
+    if (which) {
+      const std::string name = word.substr(0, slash);
+      const auto nodes = nodes_called(name);
+      if (nodes.empty()) refuse_name(name);
+      for (const AssemblyNode* node : nodes) add_counted(*node, *which, name);
+      return;
+    }
+    if (!add_faces_called(word)) refuse_name(word);
+  }
+
+  // That are called so by the whole way; else by the end of it, or by a name of their own.
+  std::vector<const AssemblyNode*> nodes_called(const std::string& word) const {
+    std::vector<const AssemblyNode*> exact, others;
+    const auto look = [&](const AssemblyNode& node, const auto& self) -> void {
+      if (node.path == word) exact.push_back(&node);
+      if (node.name == word || node.product == word || node.path.ends_with("/" + word))
+        others.push_back(&node);
+      for (const AssemblyNode& part : node.parts) self(part, self);
+    };
+    for (const AssemblyNode& root : tree_) look(root, look);
+    return exact.empty() ? others : exact;
+  }
+
+  void add_node(const AssemblyNode& node) {
+    for (const int solid : node.solids) add_solid(solid);
+    made_.faces.insert(node.faces.begin(), node.faces.end());
+    for (const AssemblyNode& part : node.parts) add_node(part);
+  }
+
+  static void collect(const AssemblyNode& node, std::vector<int>& faces, std::vector<int>& solids) {
+    faces.insert(faces.end(), node.faces.begin(), node.faces.end());
+    solids.insert(solids.end(), node.solids.begin(), node.solids.end());
+    for (const AssemblyNode& part : node.parts) collect(part, faces, solids);
+  }
+
+  void add_counted(const AssemblyNode& node, const Counted& which, const std::string& name) {
+    std::vector<int> faces, solids;
+    collect(node, faces, solids);
+    const auto chosen = [&](const std::vector<int>& numbers, const std::string& kind) {
+      if (which.number > static_cast<int>(numbers.size()))
+        refuse("there is no " + kind + " " + std::to_string(which.number) + " in '" + name +
+               "', it has " + counted(numbers.size(), kind));
+      return numbers[static_cast<std::size_t>(which.number) - 1];
+    };
+    if (which.kind == 'f') made_.faces.insert(chosen(faces, "face"));
+    if (which.kind == 's') add_solid(chosen(solids, "solid"));
+    if (which.kind != 'e') return;
+    TopTools_IndexedMapOfShape own;
+    for (const int face : faces) TopExp::MapShapes(faces_(face), TopAbs_EDGE, own);
+    std::vector<int> edges;
+    for (int i = 1; i <= own.Extent(); ++i) edges.push_back(edges_.FindIndex(own(i)));
+    made_.edges.insert(chosen(edges, "edge"));
+  }
+
+  bool add_faces_called(const std::string& word) {
+    const std::vector<std::string> names = model_.face_names();
+    bool any = false;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == word) {
+        made_.faces.insert(static_cast<int>(i) + 1);
+        any = true;
+      }
+    return any;
+  }
+
+  [[noreturn]] void refuse_name(const std::string& word) const {
+    constexpr std::size_t kMost = 5;  // names in a message
+    std::vector<std::string> parts, all;
+    const auto add_to = [](const std::string& name, std::vector<std::string>& list) {
+      if (!given_name(name).empty() && std::ranges::find(list, name) == list.end())
+        list.push_back(name);
+    };
+    const auto look = [&](const AssemblyNode& node, const auto& self) -> void {
+      for (const std::string* name : {&node.name, &node.product, &node.path}) add_to(*name, all);
+      if (node.parts.empty()) add_to(node.name.empty() ? node.product : node.name, parts);
+      for (const AssemblyNode& part : node.parts) self(part, self);
+    };
+    for (const AssemblyNode& root : tree_) look(root, look);
+    for (const std::string& name : model_.face_names()) add_to(name, all);
+    const std::string near = nearest_word(word, all);
+    std::string text = "there is no part and no face '" + word + "' in it";
+    if (!near.empty()) refuse(text + "; did you mean '" + near + "'?");
+    if (parts.empty()) refuse(text + "; its parts have no names");
+    const bool more = parts.size() > kMost;
+    parts.resize(std::min(parts.size(), kMost));
+    refuse(text + "; there " + (parts.size() == 1 ? "is " : "are ") + listed(parts, "and") +
+           (more ? "; info --tree lists all" : ""));
+  }
+
+  const occt::Model& model_;
+  std::vector<AssemblyNode> tree_;
+  TopTools_IndexedMapOfShape solids_, edges_, faces_;
+  Selection made_{};
+};
+
+}  // namespace
+
+Selection selection_of(const occt::Model& model, const std::vector<std::string>& words) {
+  Selecting selecting(model);
+  for (const std::string& word : words) selecting.add(word);
+  return selecting.made();
+}
+
+}  // namespace blossom::cli

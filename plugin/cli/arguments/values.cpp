@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/arguments/values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+namespace blossom::cli {
+namespace {
+
+std::optional<long> whole_value(const std::string& text) {
+  long value = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  if (read.ec != std::errc{} || read.ptr != end) return std::nullopt;
+  return value;
+}
+
+// Without a description, so that the help text keeps to the option's type name.
+CLI::Validator taking(const std::string& what, std::function<bool(const std::string&)> accepts) {
+  return {[what, accepts = std::move(accepts)](const std::string& text) {
+            return accepts(text) ? std::string() : "takes " + what + ", not '" + text + "'";
+          },
+          ""};
+}
+
+// How many letters are changed, left out, put in, or exchanged with their neighbours.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i)
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, changed});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::optional<double> finite_value(const std::string& text) {
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(text, &used);
+    if (used == text.size() && std::isfinite(value)) return value;
+  } catch (const std::exception&) {  // no number
+  }
+  return std::nullopt;
+}
+
+CLI::Validator positive_number() {
+  return taking("a positive number", [](const std::string& text) {
+    const std::optional<double> value = finite_value(text);
+    return value && *value > 0;
+  });
+}
+
+CLI::Validator number_not_negative() {
+  return taking("a number that is not negative", [](const std::string& text) {
+    const std::optional<double> value = finite_value(text);
+    return value && *value >= 0;
+  });
+}
+
+CLI::Validator finite_number() {
+  return taking("finite numbers",
+                [](const std::string& text) { return finite_value(text).has_value(); });
+}
+
+CLI::Validator whole_number(long from, long to) {
+  return taking("a whole number from " + std::to_string(from) + " to " + std::to_string(to),
+                [from, to](const std::string& text) {
+                  const std::optional<long> value = whole_value(text);
+                  return value && *value >= from && *value <= to;
+                });
+}
+
+void limit_to(CLI::Option& option, const std::vector<std::string>& words) {
+  std::string braced;
+  for (const std::string& word : words) braced += (braced.empty() ? "{" : ",") + word;
+  option.type_name(braced + "}")->check(taking(listed(words), [words](const std::string& text) {
+    return std::ranges::find(words, text) != words.end();
+  }));
+}
+
+std::string listed(const std::vector<std::string>& words, const std::string& last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 < words.size() ? ", " : " " + last + " ";
+    text += words[i];
+  }
+  return text;
+}
+
+std::string nearest_word(const std::string& typed, const std::vector<std::string>& words) {
+  std::string nearest;
+  std::size_t least = 1 + std::max<std::size_t>(1, typed.size() / 3);
+  for (const std::string& word : words) {
+    const std::size_t distance = edit_distance(typed, word);
+    if (distance < least) {
+      least = distance;
+      nearest = word;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace blossom::cli

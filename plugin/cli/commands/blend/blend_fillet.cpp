@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom blend fillet PART` and `blossom blend chamfer PART`: edges of solids rounded by a
+// rolling ball, or cut off.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
+#include "core/base/errors.h"
+#include "plugin/cli/arguments/inputs.h"
+#include "plugin/cli/arguments/options.h"
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/commands/blend/blend_parts.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/cli/output/reading.h"
+#include "plugin/cli/picture/files.h"
+#include "plugin/cli/process/interruption.h"
+#include "plugin/cli/process/progress.h"
+#include "plugin/reports/blends/blend_words.h"
+#include "plugin/reports/blends/fillet.h"
+
+namespace blossom::cli {
+namespace {
+
+struct FilletCommand {
+  std::string part;
+  std::vector<int> edges;
+  std::string all;  ///< --edges: "all", "convex" or "concave"
+  std::vector<int> between;
+  std::string size;              ///< --radius or --distance
+  std::string section;           ///< --section
+  std::string law;               ///< --law
+  occt::FilletOptions fillet{};  ///< both of them, read
+  bool partial = false;
+
+  bool is_chamfer() const { return fillet.chamfer.has_value(); }
+  CommonOptions common;
+  EngineOptions engine;
+};
+
+using TimedFillets = reports::FilletAnswer;
+
+// The edges that two faces have in common.
+void add_between(const FilletCommand& command, const std::vector<occt::EdgeFacts>& facts,
+                 std::set<int>& edges) {
+  const std::vector<int>& pair = command.between;
+  const std::vector<int> common = reports::edges_between(facts, pair[0], pair[1]);
+  if (common.empty())
+    throw UsageError(command.part + ": faces " + std::to_string(std::ranges::min(pair)) + " and " +
+                     std::to_string(std::ranges::max(pair)) + " have no edge in common");
+  edges.insert(common.begin(), common.end());
+}
+
+std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& shape) {
+  std::set<int> edges(command.edges.begin(), command.edges.end());
+  if (command.all.empty() && command.between.empty()) return {edges.begin(), edges.end()};
+  const std::vector<occt::EdgeFacts> facts = occt::edge_facts(shape);
+  if (!command.between.empty()) add_between(command, facts, edges);
+  if (!command.all.empty())
+    for (const int edge : reports::edges_to_round(facts, command.all)) edges.insert(edge);
+  if (edges.empty())
+    throw UsageError(command.part + ": it has no " +
+                     (command.all == "all" ? "" : command.all + " ") + "edges that can be rounded");
+  return {edges.begin(), edges.end()};
+}
+
+TimedFillets timed_fillet(const FilletCommand& command, const Input& part) {
+  Progress progress("filleting");
+  TimedFillets timed{.of = command.fillet};
+  timed.asked = edges_asked(command, part.model.shape());
+  const auto start = std::chrono::steady_clock::now();
+  occt::FilletOptions options = command.fillet;
+  options.partial = command.partial;
+  options.intersection = intersection_options(command.engine, progress);
+  timed.made = occt::fillet(part.model.shape(), timed.asked, options);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  timed.seconds = took.count();
+  return timed;
+}
+
+void write_part(const Input& part, const TimedFillets& timed, const std::string& file) {
+  reports::put_fillets(part.model, timed);
+  write_model(part.model, file);
+}
+
+std::string comma_separated(const std::vector<int>& numbers) {
+  std::ostringstream text;
+  for (std::size_t i = 0; i < numbers.size(); ++i) text << (i == 0 ? "" : ", ") << numbers[i];
+  return text.str();
+}
+
+std::string done_text(const FilletCommand& command, const occt::FilletResult& made) {
+  if (made.solids.empty()) return "refused";
+  return counted(made.edges.size(), "edge") + (command.is_chamfer() ? " cut off" : " rounded");
+}
+
+std::string summary(const FilletCommand& command, const Input& part, const TimedFillets& timed) {
+  std::ostringstream text;
+  const occt::FilletResult& made = timed.made;
+  text << part.name << ": "
+       << (command.is_chamfer()  ? "chamfer of distance "
+           : command.law.empty() ? "fillet of radius "
+                                 : "fillet by the law ")
+       << command.size << ", ";
+  text << done_text(command, made) << ", " << timed.seconds << " s\n";
+  if (!made.solids.empty()) {
+    const double more = reports::volume_of(made) - made.volume_before;
+    text << "  edges " << comma_separated(made.edges) << "\n  volume "
+         << number_text(rounded(made.volume_before)) << " mm³, then "
+         << number_text(rounded(std::abs(more))) << (more < 0 ? " less" : " more") << "\n";
+  }
+  for (const std::string& note : made.notes) text << "  " << note << "\n";
+  for (const occt::FilletRefusal& refusal : made.refused) text << "  " << refusal.text() << "\n";
+  return text.str();
+}
+
+Picture picture_of(const FilletCommand& command, const Input& part,
+                   const occt::FilletResult& made) {
+  const std::string kind = command.is_chamfer() ? "chamfer" : "fillet";
+  Picture picture;
+  picture.title = kind + "s of " + short_name(part.name);
+  picture.subtitle = done_text(command, made);
+  picture.groups = {{{}, kFirstColour, 1, "faces"}, {{}, kSecondColour, 1, kind + "s"}};
+  const FaceLabels labels(part);
+  for (const occt::FilletedSolid& solid : made.solids)
+    for (const occt::FilletFace& face : solid.faces) {
+      PictureFaces& group = picture.groups[face.from > 0 ? 0 : 1];
+      group.faces.push_back(face.face);
+      group.labels.push_back(face.from > 0   ? labels.of(face.from)
+                             : face.edge > 0 ? kind + " of edge " + std::to_string(face.edge)
+                                             : kind + " of a corner");
+    }
+  return picture;
+}
+
+void check_options(const FilletCommand& command) {
+  if (command.edges.empty() && command.all.empty() && command.between.empty())
+    throw UsageError(
+        "blend needs edges: --edge N, --edges all or --between A,B; "
+        "info --edges lists them");
+  if (!command.between.empty() && command.between.size() != 2)
+    throw UsageError("--between takes two face numbers, as in --between 2,5");
+}
+
+// What is wrong with a size is wrong with the usage.
+template <class Read>
+void read_size(const char* option, const Read& read) {
+  try {
+    read();
+  } catch (const InvalidInput& wrong) {
+    throw UsageError(std::string(option) + ": " + wrong.what());
+  }
+}
+
+int run(const FilletCommand& command) {
+  check_options(command);
+  check_files(command.common, {command.part});
+  const Input part = read_input(command.part);
+  if (static_cast<int>(part.numbers.size()) != part.model.face_count())
+    throw UsageError(command.part + ": fillets are made in whole models, not in some faces");
+  stop_if_interrupted();
+  TimedFillets timed = timed_fillet(command, part);
+  stop_if_interrupted();
+  const CommonOptions& outputs = command.common;
+  const bool any = !timed.made.solids.empty(), write = any && !outputs.output.empty();
+  if (any)
+    write_pictures(picture_files(outputs, [&] { return picture_of(command, part, timed.made); }));
+  if (write) write_part(part, timed, outputs.output);
+  timed.written = write;
+  if (!any) {
+    const std::string reason =
+        timed.made.refused.empty() ? "no edge was changed" : timed.made.refused.front().text();
+    std::vector<std::string> files = picture_names(outputs);
+    if (!outputs.output.empty()) files.insert(files.begin(), outputs.output);
+    for (const std::string& file : files) tell_unwritten(file, reason);
+    if (files.empty())
+      std::cerr << "blossom: there is no " << (command.is_chamfer() ? "chamfer: " : "fillet: ")
+                << reason << '\n';
+  }
+  if (!outputs.json.empty()) write_json(reports::fillet_report(part, timed), outputs.json);
+  print_summary(summary(command, part, timed), outputs.json);
+  if (!any) return exit_code_unwritten(timed.made.status);
+  return stated_exit_code(timed.made.refused.empty() ? kExitComplete : kExitTolerance);
+}
+
+// What both commands have in common.
+CLI::App* add_edges_command(CLI::App& blend, const char* name, const char* about,
+                            const std::shared_ptr<FilletCommand>& options) {
+  CLI::App* const command = blend.add_subcommand(name, about);
+  command->add_option("part", options->part, "model of solids")->required()->type_name("PART");
+  command->add_option("--edge", options->edges, "numbers as info --edges prints them: 12 or 3,5,7")
+      ->delimiter(',')
+      ->type_name("N");
+  limit_to(*command->add_option("--edges", options->all,
+                                "all edges that can be rounded, or those of a kind"),
+           {"all", "convex", "concave"});
+  command->add_option("--between", options->between, "the edges that two faces have in common")
+      ->delimiter(',')
+      ->type_name("A,B");
+  command->add_flag("--partial", options->partial,
+                    "do the edges that can be done, and name the others, instead of all or none");
+  add_common_options(*command, options->common, "write the new model (.step, .brep, .iges)");
+  add_engine_options(*command, options->engine);
+  return command;
+}
+
+/// Longer files are no laws.
+constexpr std::streamsize kMostOfLaw = 1 << 20;
+
+std::string law_text(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw UsageError("--law: " + file + " cannot be read");
+  std::string text(kMostOfLaw, ' ');
+  stream.read(text.data(), kMostOfLaw);
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+/// --radius or --law.
+void read_radii(FilletCommand& command) {
+  if (command.size.empty() == command.law.empty())
+    throw UsageError("blend fillet takes --radius R or --law FILE, and just one of them");
+  if (command.law.empty()) {
+    read_size("--radius", [&] { reports::read_radius(command.size, command.fillet); });
+    return;
+  }
+  command.size = command.law;
+  read_size("--law", [&] { command.fillet.law = reports::radius_law(law_text(command.law)); });
+}
+
+}  // namespace
+
+void add_blend_fillet(CLI::App& blend, int& exit_code) {
+  const auto options = std::make_shared<FilletCommand>();
+  CLI::App* const command = add_edges_command(
+      blend, "fillet", "edges of solids rounded by a ball that rolls along them", options);
+  command
+      ->add_option("--radius", options->size,
+                   "of the ball, mm; 2..5: from 2 at the start of the edges to 5 at their end")
+      ->type_name("R");
+  command
+      ->add_option(
+          "--law", options->law,
+          "radii along each run of edges, as JSON: {\"law\": \"smooth\", \"radii\": [2, 5]}, "
+          "or \"linear\", or \"table\" with \"at\": [0, 0.3, 1] beside as many radii")
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--section", options->section,
+          "circle; conic:RHO with RHO between 0 (flat) and 1 (sharp); or g2, which has the "
+          "curvatures of both faces; circle when not given")
+      ->type_name("KIND");
+  command->callback([options, &exit_code] {
+    read_radii(*options);
+    if (!options->section.empty())
+      read_size("--section",
+                [&] { options->fillet.section = reports::fillet_section(options->section); });
+    exit_code = run(*options);
+  });
+}
+
+void add_blend_chamfer(CLI::App& blend, int& exit_code) {
+  const auto options = std::make_shared<FilletCommand>();
+  CLI::App* const command = add_edges_command(blend, "chamfer", "edges of solids cut off", options);
+  command
+      ->add_option("--distance", options->size,
+                   "of the borders from the edge, mm; 1,2: on the face of the smaller number, on "
+                   "the other; 1:30: on the first, and degrees between it and the chamfer")
+      ->required()
+      ->type_name("D");
+  command->callback([options, &exit_code] {
+    read_size("--distance",
+              [&] { options->fillet.chamfer = reports::chamfer_size(options->size); });
+    exit_code = run(*options);
+  });
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/commands/intersect/intersection_picture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/commands/intersect/intersection_text.h"
+#include "plugin/cli/output/reading.h"
+#include "plugin/cli/picture/hatch.h"
+#include "plugin/cli/picture/mesh.h"
+#include "plugin/reports/models/info.h"
+
+namespace blossom::cli {
+namespace {
+
+constexpr double kHatchSpacing = 1.0 / 90;  // of the size of both inputs
+
+// The layers of an intersection, in the order in which they are drawn.
+struct IntersectionLayers {
+  PictureLayer overlaps{"overlapping", kOverlapColour, LayerStyle::Hatch};
+  PictureLayer borders{"", kOverlapColour, LayerStyle::Net};
+  PictureLayer crossing{"crossing", kCurveColour, LayerStyle::Curve};
+  PictureLayer touching{"touching", kTouchColour, LayerStyle::Curve};
+  PictureLayer points{"point", kCurveColour, LayerStyle::Dot};
+  PictureLayer contacts{"contact within tolerance", kTouchColour, LayerStyle::Ring};
+  PictureLayer unresolved{"unresolved", kUnresolvedColour, LayerStyle::Square};
+
+  std::vector<PictureLayer> all() const {
+    return {overlaps, borders, crossing, touching, points, contacts, unresolved};
+  }
+};
+
+std::string deviation_text(const Deviation& d) {
+  const auto number = [](double value) { return number_text(rounded(value)); };
+  return "deviation " + number(d.a) + " from A, " + number(d.b) + " from B, " + number(d.between) +
+         " between them, " + (d.proven ? "proven" : "not proven");
+}
+
+std::vector<Vec3> points_of(const std::vector<SurfacePoint>& samples) {
+  std::vector<Vec3> points;
+  for (const SurfacePoint& sample : samples) points.push_back(sample.point);
+  return points;
+}
+
+// The loops of a boundary without the steps from one to the other, see joined_loops.
+std::vector<std::vector<Vec3>> loops_of(const std::vector<SurfacePoint>& boundary) {
+  const std::vector<Vec3> points = points_of(boundary);
+  std::vector<std::vector<Vec3>> loops;
+  for (auto first = points.begin(); first != points.end();) {
+    const auto last = std::find(first + 1, points.end(), *first);
+    if (last == points.end()) break;  // only the way back is left
+    loops.emplace_back(first, last + 1);
+    first = last + 1;
+  }
+  return loops;
+}
+
+void add_curves(const occt::FaceIntersection& pair, const std::string& name,
+                IntersectionLayers& layers) {
+  for (const CurveChain& chain : pair.chains) {
+    const reports::ChainFacts facts = reports::facts_of(pair.found.curves, chain);
+    const std::string label =
+        name + "\ncurve, " + curve_text(pair, chain, true) + "\nleast angle of the faces " +
+        number_text(rounded(facts.least_angle)) + " rad\n" + deviation_text(facts.deviation);
+    PictureLayer& layer = facts.tangential ? layers.touching : layers.crossing;
+    for (const ChainUse& use : chain.uses)
+      layer.items.push_back(
+          {points_of(pair.found.curves[static_cast<std::size_t>(use.curve)].samples), label});
+  }
+}
+
+void add_overlap(const Input& a, const occt::FaceIntersection& pair, const Overlap& overlap,
+                 const std::string& name, double spacing, IntersectionLayers& layers) {
+  const TopoDS_Face& face = a.faces[static_cast<std::size_t>(pair.face_a)];
+  const std::string label =
+      name + "\noverlap of about " + number_text(rounded(overlap_area(a, pair, overlap))) + " mm²";
+  std::vector<std::vector<Vec2>> polygons;
+  if (pair.equal_edges.empty() && !overlap.boundary.empty()) {
+    polygons.emplace_back();
+    for (const SurfacePoint& point : overlap.boundary) polygons.back().push_back(point.uv_a);
+  } else {
+    polygons = wire_polygons(face);
+  }
+  for (std::vector<Vec3>& line : hatch_lines(face, polygons, spacing))
+    layers.overlaps.items.push_back({std::move(line), label});
+  for (std::vector<Vec3>& loop : loops_of(overlap.boundary))
+    layers.borders.items.push_back({std::move(loop), label});
+}
+
+void add_places(const occt::FaceIntersection& pair, const std::string& name,
+                IntersectionLayers& layers) {
+  for (const SurfacePoint& point : pair.found.points)
+    layers.points.items.push_back({{point.point}, name + "\npoint"});
+  for (const SurfacePoint& node : pair.found.nodes)
+    layers.points.items.push_back({{node.point}, name + "\nbranching point"});
+  for (const Place& place : pair.found.places) {
+    const Vec3 centre = 0.5 * (place.box_low + place.box_high);
+    PictureItem mark{{centre}, name + "\n" + place_text(place)};
+    if (place.kind == PlaceKind::Open)
+      layers.unresolved.items.push_back(std::move(mark));
+    else if (place.kind != PlaceKind::Overlap || pair.found.overlaps.empty())
+      layers.contacts.items.push_back(std::move(mark));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> face_labels(const Input& input) {
+  const FaceLabels labels(input);
+  std::vector<std::string> all;
+  for (const int number : input.numbers) all.push_back(labels.of(number));
+  return all;
+}
+
+std::vector<std::string> certificate_facts(const Certificate& certificate) {
+  const auto number = [](double value) { return number_text(rounded(value)); };
+  std::vector<std::string> facts = {
+      std::to_string(certificate.excluded) + " pairs of cells proven without a common point",
+      std::to_string(certificate.certified) + " pairs proven to hold one arc each",
+      std::to_string(certificate.critical) + " pairs near critical points",
+      "least angle of the faces along curves " + number(certificate.least_angle) + " rad",
+      "roundings at most " + number(certificate.rounding_bound)};
+  if (certificate.identified > 0)
+    facts.push_back(std::to_string(certificate.identified) +
+                    " pairs of faces on one surface within " +
+                    number(certificate.identified_within));
+  facts.insert(facts.end(), certificate.reasons.begin(), certificate.reasons.end());
+  return facts;
+}
+
+Picture intersection_picture(const Input& a, const Input& b, const occt::ShapeIntersection& found) {
+  const bool itself = &a == &b;
+  Picture picture;
+  picture.title = short_name(a.name) + (itself ? " with itself" : " x " + short_name(b.name));
+  picture.subtitle =
+      std::string(to_string(stated(found.status))) + ": " + counts_text(counts_of(a, found));
+  picture.groups = {{a.faces, kFirstColour, itself ? kSecondOpacity : kFirstOpacity,
+                     short_name(a.name), face_labels(a)}};
+  if (!itself)
+    picture.groups.push_back(
+        {b.faces, kSecondColour, kSecondOpacity, short_name(b.name), face_labels(b)});
+  const double spacing = kHatchSpacing * std::max(size_of(a.faces), size_of(b.faces));
+  const PairNames names(a, b);
+  IntersectionLayers layers;
+  for (const occt::FaceIntersection& pair : found.pairs) {
+    const std::string name = names.of(pair);
+    add_curves(pair, name, layers);
+    for (const Overlap& overlap : pair.found.overlaps)
+      add_overlap(a, pair, overlap, name, spacing, layers);
+    add_places(pair, name, layers);
+  }
+  picture.layers = layers.all();
+  picture.facts = certificate_facts(found.certificate);
+  return picture;
+}
+
+}  // namespace blossom::cli

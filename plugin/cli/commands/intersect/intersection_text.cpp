@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/commands/intersect/intersection_text.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "adapters/occt/faces/area.h"
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/arguments/vectors.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/cli/output/reading.h"
+#include "plugin/cli/output/verbosity.h"
+
+namespace blossom::cli {
+namespace {
+
+const char* words_of(PlaceKind kind) {
+  switch (kind) {
+    case PlaceKind::Touch: return "touching in a point";
+    case PlaceKind::Node: return "branches crossing";
+    case PlaceKind::Cusp: return "a curve turning back";
+    case PlaceKind::Pole: return "contact at a pole";
+    case PlaceKind::Tangential: return "touching along a curve";
+    case PlaceKind::Overlap: return "coinciding over an area";
+    case PlaceKind::Open: break;
+  }
+  return "unresolved";
+}
+
+std::string short_number(double value) { return number_text(rounded(value)); }
+
+std::string near_text(const Vec3& point) {
+  return "near " + vector_text({rounded(point[0]), rounded(point[1]), rounded(point[2])});
+}
+
+// The corner of the boundary farthest from nothing in particular would do; its middle tells more.
+std::string overlap_text(const Input& a, const occt::FaceIntersection& pair,
+                         const Overlap& overlap) {
+  std::string text = "overlap of about " + short_number(overlap_area(a, pair, overlap)) + " mm²";
+  if (overlap.boundary.empty()) return text + ", all of a face";
+  Vec3 low = overlap.boundary.front().point, high = low;
+  for (const SurfacePoint& p : overlap.boundary)
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p.point[k]);
+      high[k] = std::max(high[k], p.point[k]);
+    }
+  return text + " " + near_text(0.5 * (low + high)) + ", " + short_number(distance(low, high)) +
+         " across";
+}
+
+// What was found of a pair, one line each; what is in places comes apart, since it can be very
+// much.
+void list_findings(const Input& a, const PairNames& names, const occt::FaceIntersection& pair,
+                   std::ostream& text) {
+  const std::string head = "  " + names.of(pair) + ": ";
+  const bool detail = verbosity() == Verbosity::Verbose;
+  for (const Overlap& overlap : pair.found.overlaps)
+    text << head << overlap_text(a, pair, overlap) << "\n";
+  for (const CurveChain& chain : pair.chains)
+    text << head << curve_text(pair, chain, detail) << "\n";
+  for (const SurfacePoint& point : pair.found.points)
+    text << head << "point " << near_text(point.point) << "\n";
+  for (const SurfacePoint& node : pair.found.nodes)
+    text << head << "branching point " << near_text(node.point) << "\n";
+}
+
+void list_places(const PairNames& names, const occt::ShapeIntersection& found, std::ostream& text) {
+  constexpr std::size_t kFew = 20;
+  std::vector<std::string> lines;
+  for (const occt::FaceIntersection& pair : found.pairs)
+    for (const Place& place : pair.found.places)
+      lines.push_back("  " + names.of(pair) + ": " + place_text(place) + "\n");
+  const bool all = verbosity() == Verbosity::Verbose || lines.size() <= kFew;
+  for (std::size_t i = 0; i < (all ? lines.size() : kFew); ++i) text << lines[i];
+  if (!all) text << "  and " << lines.size() - kFew << " more such places, which -v lists\n";
+}
+
+}  // namespace
+
+double overlap_area(const Input& a, const occt::FaceIntersection& pair, const Overlap& overlap) {
+  const TopoDS_Face& face = a.faces[static_cast<std::size_t>(pair.face_a)];
+  if (!pair.equal_edges.empty() || overlap.boundary.empty()) return occt::area(face);
+  std::vector<Vec2> polygon;
+  for (const SurfacePoint& point : overlap.boundary) polygon.push_back(point.uv_a);
+  return occt::polygon_area(face, polygon);
+}
+
+IntersectionCounts counts_of(const Input& a, const occt::ShapeIntersection& found) {
+  IntersectionCounts counts;
+  for (const occt::FaceIntersection& pair : found.pairs) {
+    counts.curves += pair.chains.size();
+    counts.closed +=
+        static_cast<std::size_t>(std::ranges::count_if(pair.chains, &CurveChain::closed));
+    counts.points += pair.found.points.size();
+    counts.nodes += pair.found.nodes.size();
+    counts.overlaps += pair.found.overlaps.size();
+    for (const Overlap& overlap : pair.found.overlaps)
+      counts.overlap_area += overlap_area(a, pair, overlap);
+    for (const Place& place : pair.found.places) {
+      if (reports::is_contact(place) ||
+          (place.kind == PlaceKind::Overlap && pair.found.overlaps.empty()))
+        ++counts.contacts;
+      if (place.kind == PlaceKind::Open) ++counts.unresolved;
+    }
+  }
+  return counts;
+}
+
+std::string counts_text(const IntersectionCounts& counts) {
+  std::ostringstream text;
+  const auto item = [&text](std::size_t count, const char* noun) -> std::ostream& {
+    return text << (text.tellp() > 0 ? ", " : "") << counted(count, noun);
+  };
+  if (counts.curves > 0) item(counts.curves, "curve") << " (" << counts.closed << " closed)";
+  if (counts.points > 0) item(counts.points, "point");
+  if (counts.nodes > 0) item(counts.nodes, "branching point");
+  if (counts.overlaps > 0)
+    item(counts.overlaps, "overlap")
+        << " of about " << number_text(rounded(counts.overlap_area)) << " mm²";
+  if (counts.contacts > 0) item(counts.contacts, "contact") << " within tolerance";
+  if (counts.unresolved > 0) item(counts.unresolved, "unresolved region");
+  return text.tellp() > 0 ? text.str() : "no curve and no point";
+}
+
+PairNames::PairNames(const Input& a, const Input& b)
+    : a_(a), b_(b), parts_a_(a.model.part_paths()), parts_b_(b.model.part_paths()) {}
+
+std::string PairNames::of(const occt::FaceIntersection& pair) const {
+  const int face_a = a_.numbers[static_cast<std::size_t>(pair.face_a)];
+  const int face_b = b_.numbers[static_cast<std::size_t>(pair.face_b)];
+  const auto part = [](const std::vector<std::string>& parts, int face) {
+    return given_name(parts.at(static_cast<std::size_t>(face) - 1));
+  };
+  const std::string part_a = part(parts_a_, face_a), part_b = part(parts_b_, face_b);
+  const bool itself = &a_ == &b_;
+  std::string parts = part_a.empty() ? part_b : part_a;
+  if (!part_a.empty() && !part_b.empty() && !(itself && part_a == part_b))
+    parts = part_a + " x " + part_b;
+  const std::string face = "face " + std::to_string(face_a);
+  return (parts.empty() ? "" : parts + ", ") + face +
+         (itself && face_a == face_b ? "" : " x face " + std::to_string(face_b));
+}
+
+std::string curve_text(const occt::FaceIntersection& pair, const CurveChain& chain, bool detail) {
+  const reports::ChainFacts facts = reports::facts_of(pair.found.curves, chain);
+  const Deviation& d = facts.deviation;
+  std::ostringstream text;
+  text << (chain.closed ? "closed" : "open") << (facts.tangential ? ", tangential" : "")
+       << ", length " << short_number(facts.length);
+  if (detail) text << ", degree " << facts.degree << ", " << counted(facts.poles, "pole");
+  text << ", deviation " << short_number(std::max({d.a, d.b, d.between}));
+  return text.str();
+}
+
+std::string place_text(const Place& place) {
+  const Vec3 centre = (place.box_low + place.box_high) * 0.5;
+  return std::string(words_of(place.kind)) + " " + near_text(centre) + ", " +
+         short_number(distance(place.box_low, place.box_high)) + " across, gap " +
+         short_number(place.gap_low) + " to " + short_number(place.gap_high);
+}
+
+std::string intersection_text(const Input& a, const Input& b, const std::string& title,
+                              const IntersectionCounts& counts,
+                              const occt::ShapeIntersection& found,
+                              const reports::RunTimes& times) {
+  std::ostringstream text;
+  text << title << ": ";
+  if (&a == &b) text << reports::verdict_of(found) << ", ";
+  text << to_string(stated(found.status)) << ", " << counts_text(counts) << ", "
+       << short_number(times.seconds) << " s\n";
+  const PairNames names(a, b);
+  for (const occt::FaceIntersection& pair : found.pairs) list_findings(a, names, pair, text);
+  list_places(names, found, text);
+  for (const std::string& reason : found.certificate.reasons) text << "  " << reason << "\n";
+  return text.str();
+}
+
+}  // namespace blossom::cli

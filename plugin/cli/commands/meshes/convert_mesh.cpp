@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/commands/meshes/convert_mesh.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "adapters/occt/tessellation/triangulated_faces.h"
+#include "core/base/work_limit.h"
+#include "plugin/cli/arguments/inputs.h"
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/nets/net_input.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/cli/process/interruption.h"
+#include "plugin/cli/process/progress.h"
+#include "plugin/cli/process/supervision.h"
+#include "plugin/meshes/mesh_judge.h"
+#include "plugin/meshes/shape_mesh.h"
+#include "plugin/reports/models/mesh.h"
+#include "plugin/reports/models/repairs.h"
+
+namespace blossom::cli {
+namespace {
+
+// Looking for crossings takes longer than meshing; of so many triangles some seconds.
+constexpr std::size_t kMostJudged = 2'000'000;
+
+meshes::ShapeMesh meshed(const Input& input, const std::vector<meshes::MeshGroup>& groups,
+                         const FacetOptions& options) {
+  Progress progress("meshing");
+  const std::function<bool()> cancelled = interrupted;
+  const WorkLimit limit(seconds_left(), cancelled);
+  return meshes::mesh_of(input.name, input.model.shape(), input.numbers, groups, options, [&] {
+    progress.tick();
+    return limit.reached() == nullptr;
+  });
+}
+
+void look_for_crossings(const meshes::FileMesh& mesh, const std::vector<int>& face_of,
+                        const std::vector<int>& numbers, reports::MeshAnswer& answer) {
+  if (mesh.triangles.size() > kMostJudged) return;
+  const auto judged = meshes::judged_mesh(mesh, stop_if_interrupted);
+  if (!judged) return;
+  answer.crossings = judged->crossings;
+  std::set<std::array<int, 2>> pairs;
+  for (const auto& [a, b] : judged->crossing_pairs) {
+    const auto number = [&](int t) {
+      return numbers[static_cast<std::size_t>(face_of[static_cast<std::size_t>(t)])];
+    };
+    pairs.insert({std::min(number(a), number(b)), std::max(number(a), number(b))});
+  }
+  answer.crossing_faces.assign(pairs.begin(), pairs.end());
+}
+
+std::string summary(const std::string& input, const std::string& output,
+                    const reports::MeshAnswer& answer) {
+  std::ostringstream text;
+  text << input << " to " << output << ": " << counted(answer.triangles, "triangle") << ", "
+       << counted(answer.points, "point") << ", within " << answer.distance
+       << " of the faces, proven\n"
+       << reports::mesh_notes(answer);
+  return text.str();
+}
+
+}  // namespace
+
+void add_mesh_options(CLI::App& command, MeshConversion& options) {
+  command
+      .add_option("--deviation", options.deviation,
+                  "of triangles: how far they may be from the faces, model units; else a "
+                  "thousandth of the model's size")
+      ->check(positive_number())
+      ->type_name("D");
+  command
+      .add_option("--angle", options.facets.angle,
+                  "of triangles: how far normals may turn along a side, about; radians")
+      ->check(positive_number())
+      ->default_str(number_text(options.facets.angle))
+      ->type_name("A");
+  command
+      .add_option("--edge-length", options.facets.edge_length,
+                  "of triangles: how long sides may be, about; model units")
+      ->check(positive_number())
+      ->type_name("L");
+  command
+      .add_option("--aspect", options.facets.aspect,
+                  "of triangles: how much longer than wide they may be where faces bend, about; "
+                  "16 when not given")
+      ->check(CLI::Range(1.0, 1e6))
+      ->type_name("X");
+  command.add_flag("--text", options.text, "of triangles: .stl and .ply as text");
+}
+
+bool is_of_triangles(const std::string& file) {
+  return meshes::is_written_mesh_file(file) || meshes::is_glb_file(file);
+}
+
+int run_mesh_conversion(const std::string& name, const CommonOptions& common,
+                        const MeshConversion& conversion) {
+  Input input = read_input(name);
+  const Json repairs = Json::array({reports::repairs_json(input)});
+  const std::vector<meshes::MeshGroup> groups = meshes::face_groups(input);
+  drop_other_faces(input);
+  stop_if_interrupted();
+  FacetOptions options = conversion.facets;
+  options.deviation = conversion.deviation;
+  meshes::ShapeMesh made = meshed(input, groups, options);
+  stop_if_interrupted();
+  if (made.made.facets.stopped) {
+    tell_unwritten(common.output, "the time limit was reached while it was meshed");
+    return exit_code_unwritten(Status::Stopped);
+  }
+  reports::MeshAnswer& answer = made.answer;
+  look_for_crossings(made.mesh, made.face_of, input.numbers, answer);
+  stop_if_interrupted();
+  if (meshes::is_glb_file(common.output)) {
+    occt::put_on_faces(made.made, input.model.shape());
+    write_model(input.model, common.output);
+  } else {
+    const meshes::WrittenMesh written =
+        meshes::write_mesh_file(made.mesh, common.output, conversion.text, stop_if_interrupted);
+    answer.rounding = written.rounding;
+    answer.distance += written.rounding;
+  }
+  if (!common.json.empty()) {
+    Json report = reports::mesh_report(name, common.output, answer);
+    report["repairs"] = repairs;
+    write_json(report, common.json);
+  }
+  print_summary(summary(input.name, common.output, answer), common.json);
+  return answer.refused.empty() ? kExitComplete : kExitStopped;
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom query plane F --point P --normal N`: the section of a model with a plane, or with many.
+
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "adapters/occt/plane_section.h"
+#include "core/base/parallel.h"
+#include "plugin/cli/arguments/options.h"
+#include "plugin/cli/commands/meshes/mesh_meetings.h"
+#include "plugin/cli/commands/meshes/meshed_input.h"
+#include "plugin/cli/commands/query/query_parts.h"
+#include "plugin/cli/commands/query/query_planes.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/output/reading.h"
+#include "plugin/cli/picture/files.h"
+#include "plugin/cli/process/interruption.h"
+#include "plugin/cli/process/progress.h"
+#include "plugin/drawings/section_drawing.h"
+#include "plugin/reports/queries/section.h"
+
+namespace blossom::cli {
+namespace {
+
+struct PlaneCommand {
+  std::string input;
+  std::string point;
+  std::string normal;
+  std::string offsets;
+  std::string planes;  // a file
+  CommonOptions common;
+  EngineOptions engine;
+};
+
+struct Answer {
+  occt::Plane plane;
+  occt::PlaneSection section;
+  double seconds = 0;
+};
+
+occt::Plane plane_of(const PlaneCommand& options) {
+  occt::Plane plane{parse_vector(options.point, "--point"),
+                    parse_vector(options.normal, "--normal")};
+  const double largest = max_norm(plane.normal);
+  if (largest == 0) throw UsageError("--normal: the zero vector has no direction");
+  plane.normal = unit(plane.normal * (1 / largest));
+  return plane;
+}
+
+std::string text_of(const Input& input, const Answer& answer) {
+  const occt::PlaneSection& section = answer.section;
+  std::ostringstream text;
+  text.precision(12);
+  text << input.name << ": " << to_string(stated(section.status)) << ", "
+       << counted(section.wires.size(), "wire") << ", " << counted(section.curves.size(), "curve")
+       << ", " << counted(section.points.size(), "point") << ", "
+       << counted(section.faces_in_plane.size(), "face") << " in the plane";
+  if (!section.places.empty())
+    text << ", " << counted(section.places.size(), "contact") << " or unresolved regions";
+  text << ", " << answer.seconds << " s\n";
+  for (const occt::SectionWire& wire : section.wires)
+    text << "  " << (wire.closed ? "closed" : "open") << ", " << counted(wire.uses.size(), "curve")
+         << ", length " << wire.length << "\n";
+  for (const std::size_t node : section.points)
+    text << "  point " << vector_text(section.nodes[node].point) << "\n";
+  for (const std::string& reason : section.certificate.reasons) text << "  " << reason << "\n";
+  return text.str();
+}
+
+Picture picture_of(const Input& input, const occt::PlaneSection& section) {
+  Picture picture;
+  picture.title = "section of " + short_name(input.name);
+  picture.subtitle =
+      std::string(to_string(stated(section.status))) + ": " + counted(section.wires.size(), "wire");
+  picture.groups = {{input.faces, kFirstColour, kFirstOpacity, short_name(input.name)}};
+  PictureLayer curves{"section", kCurveColour};
+  PictureLayer points{"isolated point", kCurveColour, LayerStyle::Dot};
+  for (const occt::SectionCurve& curve : section.curves) curves.items.push_back({curve.samples});
+  for (const std::size_t node : section.points)
+    points.items.push_back({{section.nodes[node].point}});
+  picture.layers = {std::move(curves), std::move(points)};
+  return picture;
+}
+
+void write_outputs(const Input& input, const PlaneCommand& options, const Answer& answer) {
+  const occt::PlaneSection& section = answer.section;
+  const CommonOptions& common = options.common;
+  const bool any = !section.wires.empty() || !section.points.empty();
+  occt::Model model;
+  const std::string ending = ending_of(common.output);
+  const bool drawing = drawings::is_drawing_file(common.output);
+  const bool report = ending == ".json";
+  const bool unwritten = !common.output.empty() && !report && !any;
+  const bool as_model = !common.output.empty() && !drawing && !report;
+  if (as_model && any) model.add(occt::compound_of(section), "section", {});
+  const std::vector<PictureFile> pictures =
+      picture_files(common, [&] { return picture_of(input, section); });
+  stop_if_interrupted();
+  if (as_model && any) write_model(model, common.output);
+  if (drawing && any)
+    write_drawing(input, {answer.plane, "section", {}}, options.engine, common.output);
+  const Json json = reports::section_report(input, answer.plane, options.engine.tolerance, section,
+                                            answer.seconds);
+  if (report) write_json(json, common.output);
+  if (unwritten) tell_unwritten(common.output, "no wire and no point was found");
+  write_pictures(pictures);
+  if (!common.json.empty()) write_json(json, common.json);
+  print_summary(text_of(input, answer), common.json);
+}
+
+// Of the planes that were asked for, when they are many; none if it is a single one.
+std::vector<reports::NamedPlane> planes_of(const PlaneCommand& options) {
+  if (!options.planes.empty()) return planes_in(options.planes);
+  if (options.offsets.empty()) return {};
+  PlaneCommand base = options;
+  if (base.point.empty()) base.point = "0,0,0";
+  if (base.normal.empty()) base.normal = "0,0,1";
+  return planes_at(options.offsets, plane_of(base));
+}
+
+void check_question(const PlaneCommand& options) {
+  if (!options.offsets.empty() || !options.planes.empty()) return;
+  if (options.point.empty())
+    throw UsageError("query plane needs --point X,Y,Z (a point of the plane)");
+  if (options.normal.empty())
+    throw UsageError("query plane needs --normal X,Y,Z (its normal; of any length)");
+}
+
+int run(const PlaneCommand& options) {
+  check_question(options);
+  std::vector<std::string> inputs{options.input};
+  if (!options.planes.empty()) inputs.push_back(options.planes);
+  check_files(options.common, inputs, Outputs::ModelsAndDrawings);
+  start_threads(options.engine.threads);
+  if (std::vector<reports::NamedPlane> planes = planes_of(options); !planes.empty())
+    return is_mesh_input(options.input)
+               ? run_mesh_sections(options.input, planes, options.common)
+               : run_planes(options.input, std::move(planes), options.common, options.engine);
+  Answer answer;
+  answer.plane = plane_of(options);
+  if (is_mesh_input(options.input))
+    return run_mesh_sections(options.input, {{answer.plane, "section", {}}}, options.common);
+  const Input input = read_input(options.input);
+  stop_if_interrupted();
+  {
+    Progress progress("cutting");
+    const IntersectionOptions engine = intersection_options(options.engine, progress);
+    const Stopwatch watch;
+    answer.section = occt::plane_section(input.faces, answer.plane, engine);
+    answer.seconds = watch.seconds();
+  }
+  stop_if_interrupted();
+  write_outputs(input, options, answer);
+  return exit_code(answer.section.status);
+}
+
+}  // namespace
+
+void add_query_plane(CLI::App& query, int& exit_code) {
+  CLI::App* const command = query.add_subcommand("plane", "the section of a model with a plane");
+  const auto options = std::make_shared<PlaneCommand>();
+  command->add_option("input", options->input, "model, some of its faces, or triangles")
+      ->required()
+      ->type_name("FILE");
+  CLI::Option* const point =
+      command->add_option("--point", options->point, "a point of the plane")->type_name("X,Y,Z");
+  CLI::Option* const normal =
+      command->add_option("--normal", options->normal, "its normal; of any length")
+          ->type_name("X,Y,Z");
+  CLI::Option* const offsets =
+      command
+          ->add_option("--offsets", options->offsets,
+                       "so many planes instead of one, from the first offset along the normal to "
+                       "the last; the point is then 0,0,0 and the normal 0,0,1 unless given")
+          ->type_name("FROM:TO:NUMBER");
+  command
+      ->add_option("--planes", options->planes,
+                   "planes of a file, one a line: X,Y,Z,NX,NY,NZ and perhaps a name")
+      ->type_name("FILE")
+      ->excludes(point)
+      ->excludes(normal)
+      ->excludes(offsets);
+  add_common_options(*command, options->common,
+                     "write the wires (.step, .brep, .iges, .dxf, .svg, .json)");
+  add_engine_options(*command, options->engine);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace blossom::cli

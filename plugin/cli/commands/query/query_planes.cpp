@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/commands/query/query_planes.h"
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "adapters/occt/shapes.h"
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/arguments/vectors.h"
+#include "plugin/cli/commands/query/query_parts.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/cli/output/reading.h"
+#include "plugin/cli/picture/files.h"
+#include "plugin/cli/process/interruption.h"
+#include "plugin/cli/process/progress.h"
+#include "plugin/drawings/section_drawing.h"
+#include "plugin/reports/queries/plane_cuts.h"
+
+namespace blossom::cli {
+namespace {
+
+using reports::NamedPlane;
+using reports::PartSection;
+using reports::SectionsAnswer;
+using reports::SectionsOfPlane;
+
+constexpr long kMostPlanes = 100'000;
+
+std::string offset_text(double offset) { return number_text(rounded(offset)); }
+
+std::string plane_line(const SectionsOfPlane& plane) {
+  std::size_t wires = 0, open = 0, points = 0;
+  double length = 0;
+  std::string status;
+  for (const PartSection& part : plane.parts) {
+    points += part.section.points.size();
+    for (const occt::SectionWire& wire : part.section.wires) {
+      ++wires;
+      open += wire.closed ? 0 : 1;
+      length += wire.length;
+    }
+    if (part.section.status != Status::Complete)
+      status = std::string(", ") + to_string(part.section.status) + " in " + part.name;
+  }
+  std::string text = "  " + plane.plane.name + ": " + counted(wires, "wire");
+  if (open > 0) text += " (" + std::to_string(open) + " open)";
+  if (points > 0) text += ", " + counted(points, "point");
+  if (wires > 0) text += ", length " + number_text(rounded(length));
+  if (plane.parts.size() > 1) text += ", " + counted(plane.parts.size(), "part");
+  return text + status + "\n";
+}
+
+std::string text_of(const Input& input, const SectionsAnswer& answer) {
+  std::ostringstream text;
+  text << input.name << ": " << to_string(stated(answer.status)) << ", "
+       << counted(answer.planes.size(), "plane") << ", " << answer.seconds << " s\n";
+  for (const SectionsOfPlane& plane : answer.planes) text << plane_line(plane);
+  return text.str();
+}
+
+// A page tells of each curve and point in which plane and of which part it is.
+Picture picture_of(const Input& input, const SectionsAnswer& answer) {
+  Picture picture;
+  picture.title = "sections of " + short_name(input.name);
+  picture.subtitle = counted(answer.planes.size(), "plane");
+  picture.groups = {{input.faces, kFirstColour, kFirstOpacity, short_name(input.name)}};
+  PictureLayer curves{"section", kCurveColour};
+  PictureLayer points{"isolated point", kCurveColour, LayerStyle::Dot};
+  for (const SectionsOfPlane& plane : answer.planes)
+    for (const PartSection& part : plane.parts) {
+      const std::string label = plane.plane.name + "\n" + part.name;
+      for (const occt::SectionCurve& curve : part.section.curves)
+        curves.items.push_back({curve.samples, label});
+      for (const std::size_t node : part.section.points)
+        points.items.push_back({{part.section.nodes[node].point}, label});
+    }
+  picture.layers = {std::move(curves), std::move(points)};
+  return picture;
+}
+
+SectionsAnswer cut(const Input& input, const std::vector<NamedPlane>& planes,
+                   const EngineOptions& engine) {
+  Progress progress("cutting");
+  return reports::sections_of(
+      input, planes,
+      {engine.tolerance, [&] { return intersection_options(engine, progress); },
+       stop_if_interrupted});
+}
+
+void write_result(const Input& input, const SectionsAnswer& answer, const std::string& file) {
+  if (drawings::is_drawing_file(file)) return drawings::write_section_drawing(answer, file);
+  if (ending_of(file) == ".json") return write_json(reports::sections_report(input, answer), file);
+  const occt::Model model = reports::model_of(answer);
+  if (model.shape().IsNull())
+    tell_unwritten(file, "no wire and no point was found");
+  else
+    write_model(model, file);
+}
+
+NamedPlane plane_in(const std::string& line, const std::string& where) {
+  std::string words = line;
+  for (char& c : words) c = c == ',' ? ' ' : c;
+  std::istringstream text(words);
+  std::string numbers, name;
+  for (int i = 0; i < 6; ++i) {
+    std::string word;
+    text >> word;
+    numbers += (i == 0 ? "" : ",") + word;
+  }
+  std::getline(text >> std::ws, name);
+  return {parse_plane(numbers, where), name};
+}
+
+}  // namespace
+
+std::vector<NamedPlane> planes_at(const std::string& offsets, const occt::Plane& plane) {
+  const std::size_t first = offsets.find(':'), second = offsets.find(':', first + 1);
+  const auto number = [&](std::size_t begin, std::size_t end) {
+    return finite_value(offsets.substr(begin, end - begin));
+  };
+  std::optional<double> from, to, count;
+  if (first != std::string::npos && second != std::string::npos) {
+    from = number(0, first);
+    to = number(first + 1, second);
+    count = number(second + 1, std::string::npos);
+  }
+  if (!from || !to || !count || *count != std::floor(*count) || *count < 1 ||
+      *count > kMostPlanes || (*count == 1 && *from != *to))
+    throw UsageError("--offsets: '" + offsets +
+                     "' is not FROM:TO:NUMBER, so many planes from the first offset to the last");
+  std::vector<NamedPlane> planes;
+  const auto all = static_cast<int>(*count);
+  for (int i = 0; i < all; ++i) {
+    const double t = all == 1 ? 0 : static_cast<double>(i) / (all - 1);
+    const double offset = i + 1 == all ? *to : *from + t * (*to - *from);
+    planes.push_back({{plane.point + plane.normal * offset, plane.normal},
+                      "plane " + std::to_string(i + 1) + ", offset " + offset_text(offset),
+                      offset});
+  }
+  return planes;
+}
+
+std::vector<NamedPlane> planes_in(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) throw UsageError(file + ": cannot be read");
+  std::vector<NamedPlane> planes;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    line = line.substr(0, line.find('#'));
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    while (!line.empty() && line.back() == '\r') line.pop_back();
+    planes.push_back(plane_in(line, file + ", line " + std::to_string(number)));
+    if (planes.back().name.empty()) planes.back().name = "plane " + std::to_string(planes.size());
+    if (static_cast<long>(planes.size()) > kMostPlanes)
+      throw UsageError(file + ": has more than " + std::to_string(kMostPlanes) + " planes");
+  }
+  if (planes.empty()) throw UsageError(file + ": has no planes");
+  return planes;
+}
+
+void write_drawing(const Input& input, const NamedPlane& plane, const EngineOptions& engine,
+                   const std::string& file) {
+  drawings::write_section_drawing(cut(input, {plane}, engine), file);
+}
+
+int run_planes(const std::string& name, std::vector<NamedPlane> planes, const CommonOptions& common,
+               const EngineOptions& engine) {
+  const Input input = read_input(name);
+  stop_if_interrupted();
+  const SectionsAnswer answer = cut(input, planes, engine);
+  stop_if_interrupted();
+  const std::vector<PictureFile> pictures =
+      picture_files(common, [&] { return picture_of(input, answer); });
+  stop_if_interrupted();
+  if (!common.output.empty()) write_result(input, answer, common.output);
+  write_pictures(pictures);
+  if (!common.json.empty()) write_json(reports::sections_report(input, answer), common.json);
+  print_summary(text_of(input, answer), common.json);
+  return exit_code(answer.status);
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/commands/trim/trim_picture.h"
+
+#include <map>
+#include <set>
+#include <utility>
+
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/commands/intersect/intersection_picture.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/cli/output/reading.h"
+#include "plugin/cli/picture/mesh.h"
+
+namespace blossom::cli {
+namespace {
+
+// Which faces meet in an edge, by what they come from; an edge of one face has it twice.
+using EdgeOwners = std::vector<std::pair<TopoDS_Edge, std::vector<int>>>;
+
+EdgeOwners owners_of(const std::vector<std::pair<TopoDS_Face, int>>& faces) {
+  TopTools_IndexedMapOfShape edges;
+  EdgeOwners owners;
+  for (const auto& [face, owner] : faces)
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+      const auto place = static_cast<std::size_t>(edges.Add(it.Current())) - 1;
+      if (place == owners.size()) owners.push_back({TopoDS::Edge(it.Current()), {}});
+      owners[place].second.push_back(owner);
+    }
+  return owners;
+}
+
+// Edges that part pieces of one face; a seam parts a piece from itself.
+void add_cuts(const occt::TrimResult& made, PictureLayer& layer) {
+  std::vector<std::pair<TopoDS_Face, int>> faces;
+  std::map<int, int> face_of;  // by piece
+  for (const occt::TrimPiece& piece : made.pieces) {
+    faces.emplace_back(piece.shape, piece.number);
+    face_of[piece.number] = piece.face;
+  }
+  for (const auto& [edge, pieces] : owners_of(faces)) {
+    const std::set<int> different(pieces.begin(), pieces.end());
+    std::set<int> cut;
+    for (const int piece : different) cut.insert(face_of[piece]);
+    if (different.size() > cut.size())
+      layer.items.push_back({edge_points(edge), "cut of face " + std::to_string(*cut.begin())});
+  }
+}
+
+}  // namespace
+
+std::string side_text(occt::PieceSide side) {
+  const std::string word = to_string(side);
+  return word == "unknown" ? "side undecided" : word;
+}
+
+Picture trim_picture(const Input& part, const std::vector<const Input*>& tools,
+                     const occt::TrimResult& made) {
+  Picture picture;
+  picture.title = short_name(part.name);
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    picture.title += (i == 0 ? " trimmed by " : ", ") + short_name(tools[i]->name);
+  const FaceLabels labels(part);
+  std::size_t kept = 0;
+  for (const occt::TrimPiece& piece : made.pieces) {
+    if (!piece.kept) continue;
+    const std::string name = "piece " + std::to_string(piece.number) + ": " + side_text(piece.side);
+    picture.groups.push_back({{piece.shape},
+                              palette(kept++),
+                              kFirstOpacity,
+                              name,
+                              {name + "\nof " + labels.of(piece.face) + "\narea " +
+                               number_text(rounded(piece.area)) + " mm²"}});
+  }
+  picture.subtitle = std::string(to_string(stated(made.status))) + ": " +
+                     counted(made.areas.size(), "face") + " in " +
+                     counted(made.pieces.size(), "piece") + ", " + std::to_string(kept) + " kept";
+  for (const Input* tool : tools)
+    picture.groups.push_back(
+        {tool->faces, kToolColour, kToolOpacity, short_name(tool->name), face_labels(*tool)});
+  picture.layers = {{"cut", kCurveColour}};
+  add_cuts(made, picture.layers.front());
+  picture.facts = certificate_facts(made.certificate);
+  return picture;
+}
+
+Picture solids_picture(const std::string& title, const occt::SolidTrimResult& made) {
+  Picture picture;
+  picture.title = title;
+  picture.subtitle = counted(made.solids.size(), "solid") + ", volume " +
+                     number_text(rounded(made.total.result)) + " mm³";
+  TopTools_IndexedMapOfShape known;
+  std::vector<int> tools;
+  for (const occt::SolidFace& face : made.faces)
+    if (known.Add(face.face) > static_cast<int>(tools.size())) tools.push_back(face.tool);
+  std::vector<std::pair<TopoDS_Face, int>> faces;
+  for (std::size_t i = 0; i < made.solids.size(); ++i) {
+    const std::string name = "solid " + std::to_string(i + 1);
+    PictureFaces group{{}, palette(i), kFirstOpacity, name};
+    for (TopExp_Explorer it(made.solids[i], TopAbs_FACE); it.More(); it.Next()) {
+      const int number = known.FindIndex(it.Current());
+      const int tool = number > 0 ? tools[static_cast<std::size_t>(number) - 1] : -1;
+      group.faces.push_back(TopoDS::Face(it.Current()));
+      group.labels.push_back(name + "\nface of " +
+                             (tool < 0 ? "the part" : "tool " + std::to_string(tool + 1)));
+      faces.emplace_back(group.faces.back(), tool);
+    }
+    picture.groups.push_back(std::move(group));
+  }
+  PictureLayer cuts{"cut", kCurveColour};
+  for (const auto& [edge, owners] : owners_of(faces))
+    if (std::set<int>(owners.begin(), owners.end()).size() > 1)
+      cuts.items.push_back({edge_points(edge), "where faces of different inputs meet"});
+  picture.layers = {std::move(cuts)};
+  picture.facts = certificate_facts(made.certificate);
+  return picture;
+}
+
+}  // namespace blossom::cli

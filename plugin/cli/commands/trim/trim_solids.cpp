@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/commands/trim/trim_solids.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/half_space.h"
+#include "adapters/occt/solid_trim.h"
+#include "core/base/parallel.h"
+#include "plugin/cli/arguments/inputs.h"
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/commands/trim/trim_picture.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/nets/net_input.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/cli/output/reading.h"
+#include "plugin/cli/output/verbosity.h"
+#include "plugin/cli/output/watertight_output.h"
+#include "plugin/cli/picture/files.h"
+#include "plugin/cli/process/interruption.h"
+#include "plugin/cli/process/progress.h"
+#include "plugin/cli/process/supervision.h"
+#include "plugin/nets/net_json.h"
+#include "plugin/reports/cuts/solids.h"
+#include "plugin/reports/cuts/trim.h"
+#include "plugin/reports/models/repairs.h"
+
+namespace blossom::cli {
+namespace {
+
+using TimedSolids = reports::SolidAnswer;
+
+// All solids at once: those side by side keep their common faces. Pieces come from where their
+// faces do.
+void make_watertight(TimedSolids& timed, const EngineOptions& engine) {
+  const TopoDS_Compound all = occt::compound_of(timed.made.solids);
+  occt::WatertightShape made = watertight_of(all, engine, seconds_left());
+  timed.made.status = status_with(timed.made.status, made.pieces);
+  if (const std::string reason = reason_of(made.pieces); !reason.empty()) {
+    timed.made.obstacles.push_back(reason);
+    timed.watertight = std::move(made.pieces);
+    return;
+  }
+  timed.made.solids.clear();
+  for (TopoDS_Iterator it(made.shape); it.More(); it.Next())
+    timed.made.solids.push_back(TopoDS::Solid(it.Value()));
+  TopTools_IndexedMapOfShape numbers;
+  TopExp::MapShapes(all, TopAbs_FACE, numbers);
+  std::vector<occt::SolidFace> faces;
+  for (const occt::SolidFace& face : timed.made.faces)
+    if (const int number = numbers.FindIndex(face.face); number > 0)
+      for (const TopoDS_Face& piece : made.faces[static_cast<std::size_t>(number) - 1]) {
+        faces.push_back(face);
+        faces.back().face = piece;
+      }
+  timed.made.faces = std::move(faces);
+  timed.watertight = std::move(made.pieces);
+}
+
+// Whether all that the user names is solids.
+bool names_solids(const Input& input) {
+  TopTools_IndexedMapOfShape solids, bounding;
+  TopExp::MapShapes(input.model.shape(), TopAbs_SOLID, solids);
+  for (const int number : input.solids) TopExp::MapShapes(solids(number), TopAbs_FACE, bounding);
+  return !input.solids.empty() && std::ranges::all_of(input.faces, [&](const TopoDS_Face& face) {
+    return bounding.Contains(face);
+  });
+}
+
+// Models of their own, even of one file: the part is changed.
+occt::Model model_of(const std::string& text, Json& repairs) {
+  Input input = read_input(text);
+  repairs.push_back(repairs_json(input));
+  if (static_cast<int>(input.numbers.size()) == input.model.face_count())
+    return std::move(input.model);
+  if (!names_solids(input))
+    throw UsageError(text + ": --solid takes whole models or solids, not some of their faces");
+  drop_other_faces(input);
+  return std::move(input.model);
+}
+
+using Models = std::vector<occt::Model>;
+
+// Who takes a sheet for a tool is told what else there is.
+void check_solid(const occt::TrimTool& input, const std::string& name) {
+  if (input.is_solid()) return;
+  throw UsageError(name + " is no closed solid: " + occt::describe_open_shell(input) +
+                   "; --solid takes closed solids, and planes by --plane; a sheet may be a tool of "
+                   "--solid split, or cut faces with --keep");
+}
+
+occt::TrimTool named_tool(const occt::Model& model, const std::string& name) {
+  occt::TrimTool tool = occt::trim_tool(model.shape());
+  tool.name = name;
+  return tool;
+}
+
+occt::TrimTool named_solid(const occt::Model& model, const std::string& name) {
+  occt::TrimTool tool = named_tool(model, name);
+  check_solid(tool, name);
+  return tool;
+}
+
+TimedSolids timed_trim(const SolidTrim& options, const occt::Model& part, const Models& tools) {
+  Progress progress("combining solids");
+  const IntersectionOptions engine = intersection_options(options.engine, progress);
+  const occt::TrimTool solid = named_solid(part, options.part);
+  std::vector<occt::TrimTool> others;
+  for (std::size_t i = 0; i < options.tools.size(); ++i)
+    others.push_back(options.operation == "split" ? named_tool(tools[i], options.tools[i])
+                                                  : named_solid(tools[i], options.tools[i]));
+  for (std::size_t i = 0; i < options.planes.size(); ++i)
+    others.push_back(
+        occt::half_space_tool(options.planes[i], part.shape(), reports::plane_name(i)));
+  const auto start = std::chrono::steady_clock::now();
+  TimedSolids result{.part = options.part,
+                     .tools = options.tools,
+                     .planes = options.planes,
+                     .operation = options.operation};
+  result.made =
+      occt::trim_solids(solid, others, *reports::solid_operation(options.operation), engine);
+  const auto seconds = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  if (options.watertight && !result.made.solids.empty()) make_watertight(result, options.engine);
+  stop_if_interrupted();
+  result.seconds = seconds();
+  reports::note_faces(result);
+  return result;
+}
+
+// Of the inputs and the result, and how well those of all steps add up.
+std::string told_volumes(const SolidTrim& options, const occt::SolidTrimResult& made) {
+  const auto number = [](double value) { return number_text(rounded(value)); };
+  std::ostringstream text;
+  if (made.obstacles.empty()) {
+    text << "  volumes: part " << number(made.total.part);
+    if (!options.tools.empty()) text << ", tools " << number(made.total.tools);
+    text << ", result " << number(made.total.result) << " mm³\n";
+  }
+  double cut = 0, fuse = 0;
+  std::size_t count = 0;
+  for (const occt::SolidVolumes& step : made.volumes) {
+    cut = std::max(cut, step.cut_error());
+    fuse = std::max(fuse, step.fuse_error());
+    if (++count; verbosity() != Verbosity::Verbose) continue;
+    text << "  step " << count << ": part " << number(step.part) << ", tool " << number(step.tool)
+         << ", cut " << number(step.cut) << ", common " << number(step.common) << ", fuse "
+         << number(step.fuse) << " mm³\n";
+  }
+  if (count > 0)
+    text << "  the volumes of " << counted(count, "step") << " add up within " << number(cut)
+         << " (cut) and " << number(fuse) << " (fuse) of the whole\n";
+  return text.str();
+}
+
+std::string summary(const SolidTrim& options, const TimedSolids& timed) {
+  std::ostringstream text;
+  text << options.part << ": " << options.operation << ", " << to_string(stated(timed.made.status))
+       << ", " << counted(timed.made.solids.size(), "solid") << ", " << timed.seconds << " s\n";
+  text << told_volumes(options, timed.made);
+  if (timed.watertight) text << summary_of(*timed.watertight);
+  for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";
+  for (const std::string& thin : timed.made.thin) text << "  " << thin << "\n";
+  for (const std::string& invalid : timed.invalid) text << "  " << invalid << "\n";
+  for (const std::string& idle : timed.idle) text << "  " << idle << "\n";
+  for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
+  if (timed.made.status != Status::Complete)
+    for (const std::string& reason : timed.made.certificate.reasons) text << "  " << reason << "\n";
+  return text.str();
+}
+
+// What gives the faces of a cut along a plane their name: the plane as a part.
+occt::Model plane_model(const occt::Plane& plane, const occt::Model& part,
+                        const std::string& name) {
+  occt::Model model;
+  model.add(occt::plane_tool(plane, part.shape(), name).faces.front(), name);
+  return model;
+}
+
+// Puts the solids in the place of the part's, as the output file can have them.
+void replace_solids(occt::Model& part, const occt::SolidTrimResult& made, const Models& tools,
+                    const std::string& output) {
+  std::vector<const occt::Model*> origins;
+  for (const occt::Model& tool : tools) origins.push_back(&tool);
+  std::vector<occt::CombinedSolid> solids;
+  for (const TopoDS_Solid& solid : made.solids)
+    solids.push_back({solid, reports::origins_of(solid, made, part, origins)});
+  part.replace_solids(
+      solids, occt::keeps_names(output) ? occt::CommonFaces::Copy : occt::CommonFaces::Keep);
+}
+
+std::string title_of(const SolidTrim& options) {
+  std::string title = options.operation + " of " + short_name(options.part);
+  for (const std::string& tool : options.tools) title += ", " + short_name(tool);
+  for (std::size_t i = 0; i < options.planes.size(); ++i) title += ", " + reports::plane_name(i);
+  return title;
+}
+
+bool wants_shape(const CommonOptions& outputs) {
+  return !outputs.output.empty() || !picture_names(outputs).empty();
+}
+
+// Why nothing is written though it was asked for; empty if nothing speaks against it.
+std::string reason_of(const occt::SolidTrimResult& made) {
+  if (!made.obstacles.empty()) return made.obstacles.front();
+  return made.solids.empty() ? "the result is empty" : "";
+}
+
+void tell_no_solid(const CommonOptions& outputs, const std::string& reason) {
+  if (!outputs.output.empty()) tell_unwritten(outputs.output, reason);
+  for (const std::string& file : picture_names(outputs)) tell_unwritten(file, reason);
+  if (!wants_shape(outputs)) std::cerr << "blossom: there is no solid: " << reason << '\n';
+}
+
+int exit_code_of(const occt::SolidTrimResult& made, const CommonOptions& outputs) {
+  const bool missing = made.solids.empty() && wants_shape(outputs);
+  return missing || !made.obstacles.empty() ? exit_code_unwritten(made.status)
+                                            : exit_code(made.status);
+}
+
+}  // namespace
+
+bool is_solid_operation(const std::string& word) {
+  return reports::solid_operation(word).has_value();
+}
+
+int trim_solids(const SolidTrim& options) {
+  if (options.operation == "fuse" && !options.planes.empty())
+    throw UsageError("--solid fuse takes no --plane: what is above a plane has no end");
+  std::vector<std::string> files = options.tools;
+  files.push_back(options.part);
+  check_files(options.common, files, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
+  start_threads(options.engine.threads);
+  Json repairs = Json::array();
+  occt::Model part = model_of(options.part, repairs);
+  Models tools;
+  for (const std::string& tool : options.tools) tools.push_back(model_of(tool, repairs));
+  stop_if_interrupted();
+  TimedSolids timed = timed_trim(options, part, tools);
+  for (std::size_t i = 0; i < options.planes.size(); ++i)
+    tools.push_back(plane_model(options.planes[i], part, reports::plane_name(i)));
+  const std::string reason = reason_of(timed.made);
+  const CommonOptions& outputs = options.common;
+  const bool write = reason.empty() && !outputs.output.empty();
+  timed.written = write;
+  timed.repairs = repairs;
+  std::vector<PictureFile> pictures;
+  if (reason.empty())
+    pictures =
+        picture_files(outputs, [&] { return solids_picture(title_of(options), timed.made); });
+  if (write && nets::is_net_file(outputs.output)) {
+    write_plain_json(nets::nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
+  } else if (write) {
+    replace_solids(part, timed.made, tools, outputs.output);
+    write_model(part, outputs.output);
+  }
+  write_pictures(pictures);
+  if (!reason.empty()) tell_no_solid(outputs, reason);
+  if (!outputs.json.empty()) write_json(reports::solid_report(timed), outputs.json);
+  print_summary(summary(options, timed), outputs.json);
+  return exit_code_of(timed.made, outputs);
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Intersection curves as a model of edges that other programs open.
+
+#pragma once
+
+#include "adapters/occt/intersection.h"
+#include "adapters/occt/shapes.h"
+#include "plugin/cli/arguments/inputs.h"
+
+namespace blossom::cli {
+
+/// A part for each pair of faces that meet, named after them ("hull.step#1 x deck.step#2"): its
+/// edges, and its isolated contacts as vertices. Edges have their 3D curve and a pcurve on a copy
+/// of each of the two surfaces; edges that end in one point share the vertex.
+///
+/// throws   occt::Failure if Open CASCADE refuses a curve
+occt::Model intersection_model(const Input& a, const Input& b,
+                               const occt::ShapeIntersection& found);
+
+}  // namespace blossom::cli

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/output/reading.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "adapters/occt/base/errors.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/output/verbosity.h"
+#include "plugin/cli/process/interruption.h"
+#include "plugin/cli/process/supervision.h"
+#include "plugin/reports/models/reading.h"
+
+namespace blossom::cli {
+namespace {
+
+/// The reports of all files that this program has read, by name.
+std::map<std::filesystem::path, occt::ReadingReport>& all_reports() {
+  static std::map<std::filesystem::path, occt::ReadingReport> reports;
+  return reports;
+}
+
+bool shapes_are_lost() {
+  return std::ranges::any_of(all_reports(), [](const auto& entry) {
+    return entry.second.grade() == occt::ReadingGrade::ShapesLost;
+  });
+}
+
+void tell(const std::filesystem::path& file, const occt::ReadingReport& report) {
+  if (report.losses.empty()) return;
+  const bool more = report.losses.size() > 1 && verbosity() != Verbosity::Verbose;
+  note(file.string() + ": " + report.summary() + (more ? "; -v lists all" : ""));
+  for (const occt::Loss& loss : report.losses)
+    detail((loss.of_shape ? "  shape: " : "  ") + loss.text());
+}
+
+}  // namespace
+
+ReadingPolicy& reading_policy() {
+  static ReadingPolicy policy;
+  return policy;
+}
+
+double reading_allowance(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
+  const std::string ending = file.extension().string();
+  const bool packed =
+      ending.ends_with('z') || ending.ends_with('Z') || ending == ".zip" || ending == ".ZIP";
+  return error ? 1 : 1 + (packed ? 1.5e-4 : 1.5e-5) * bytes;
+}
+
+occt::Model read_told(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  enter(Phase::Reading, name);
+  allow_processor_time(reading_allowance(file));
+  occt::ReadOptions options{.names = !has_failed(occt::kReadingNames + (" of " + name)),
+                            .looks = reading_policy().looks};
+  options.step = [&name](const char* step) {
+    const bool names = std::string_view(step).starts_with(occt::kReadingNames);
+    enter(names ? Phase::Optional : Phase::Reading, name, step);
+  };
+  occt::Model model = occt::read_model(file, options);
+  enter(Phase::Working, "working on " + name);
+  const occt::ReadingReport& report = model.reading();
+  if (reading_policy().strict && report.grade() == occt::ReadingGrade::ShapesLost)
+    throw occt::BadModel(file.string() + ": is refused by --strict: " + report.summary());
+  if (all_reports().try_emplace(file, report).second) tell(file, report);
+  return model;
+}
+
+occt::CheckRunner watched_checks(const std::filesystem::path& file) {
+  return [name = file.string(), allowance = reading_allowance(file)](
+             const std::string& what, const std::function<void()>& work) {
+    stop_if_interrupted();
+    const std::string step = what + " of " + name;
+    if (has_failed(step)) return false;
+    enter(Phase::Optional, name, step);
+    allow_processor_time(allowance);
+    work();
+    enter(Phase::Working, "looking at " + name);
+    return true;
+  };
+}
+
+void add_reading(Json& report) {
+  if (all_reports().empty()) return;
+  Json files = Json::array();
+  for (const auto& [file, reading] : all_reports()) {
+    files.push_back(reports::reading_json(file, reading));
+  }
+  report["reading"] = std::move(files);
+  const char* const complete = to_string(Status::Complete);
+  if (shapes_are_lost() && report.contains("status") && report["status"] == complete)
+    report["status"] = to_string(Status::Tolerance);
+}
+
+Status stated(Status status) {
+  return shapes_are_lost() ? weaker(status, Status::Tolerance) : status;
+}
+
+int stated_exit_code(int code) {
+  return code == kExitComplete && shapes_are_lost() ? kExitTolerance : code;
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What reading the inputs lost, for all commands: one line on stderr, a member of every report, and
+// no status better than `tolerance` when shapes are missing.
+
+#pragma once
+
+#include <filesystem>
+
+#include "adapters/occt/shapes.h"
+#include "adapters/occt/soundness.h"
+#include "core/base/status.h"
+#include "plugin/cli/output/output.h"
+
+namespace blossom::cli {
+
+/// How inputs are read; the options of the command set it.
+struct ReadingPolicy {
+  bool strict = false;  ///< --strict: a file of which shapes are missing is refused
+  bool looks = true;    ///< colours, layers and dimensions are wanted: a model is written
+};
+ReadingPolicy& reading_policy();
+
+/// Processor seconds that Open CASCADE may take to read a file, or to check a face of it. The
+/// slowest sound files that we know take 7e-6 s a byte, most a tenth of that; packed files are up
+/// to ten times as long as they seem.
+double reading_allowance(const std::filesystem::path& file);
+
+/// Reads a model, telling the supervision each step, says on stderr what is lost, and keeps it for
+/// the reports. throws   occt::BadModel as read_model, or if shapes are missing and the policy is
+/// strict
+occt::Model read_told(const std::filesystem::path& file);
+
+/// Does checks of a file's shapes as optional steps (see supervision.h), each with as much
+/// processor time as reading has. throws   Interrupted between two of them
+occt::CheckRunner watched_checks(const std::filesystem::path& file);
+
+/// Adds the member "reading" to a report, a list of the files that were read, and takes the status
+/// "complete" back if shapes are missing.
+void add_reading(Json& report);
+
+/// A status as it may be said of an answer: at most Tolerance if shapes are missing.
+Status stated(Status status);
+
+/// Likewise the exit code of a command that is done.
+int stated_exit_code(int code);
+
+}  // namespace blossom::cli
