@@ -28,7 +28,7 @@
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/untrimmed.h"
 #include "adapters/occt/intersection_edges.h"
-#include "adapters/occt/splitting/edge_joins.h"
+#include "adapters/occt/splitting/edges/edge_joins.h"
 #include "adapters/occt/watertight_faces.h"
 #include "core/math/index.h"
 

@@ -12,7 +12,7 @@
 #endif
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/shapes.h"
-#include "plugin/meshes/mesh_formats.h"
+#include "plugin/meshes/formats/mesh_formats.h"
 
 namespace blossom::meshes {
 namespace {

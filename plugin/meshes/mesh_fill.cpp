@@ -7,7 +7,7 @@
 
 #include "core/math/index.h"
 #include "core/meshes/mesh_holes.h"
-#include "plugin/meshes/place_numbers.h"
+#include "plugin/meshes/formats/place_numbers.h"
 
 namespace blossom::meshes {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "core/math/index.h"
-#include "plugin/meshes/text_words.h"
+#include "plugin/meshes/formats/text_words.h"
 
 namespace blossom::meshes {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "plugin/meshes/mesh_formats.h"
+#include "plugin/meshes/formats/mesh_formats.h"
 
 namespace blossom::meshes {
 

@@ -19,8 +19,8 @@ CORE_ROOMS = """base math math/series forms forms/algebra blossom subdivision su
     surfaces/branches surfaces/search tracing surfaces/assembly surfaces/retry curves plane
     distance rays regions tessellation meshes watertight blending blending/fills blending/continuity
     blending/strips blending/balls""".split()
-OCCT_ROOMS = """base convert faces tessellation neighbours queries splitting coincidence solids
-    repair exact exchange documents blending blending/strips blending/sheet""".split()
+OCCT_ROOMS = """base convert faces tessellation neighbours queries splitting/edges splitting coincidence solids
+    repair exact exchange exchange/step documents blending blending/strips blending/sheet""".split()
 REPORT_ROOMS = "text models cuts queries blends".split()
 
 STANDARD = r"<[a-z_0-9]+>"
@@ -165,7 +165,7 @@ def self_test(files):
         "a door in another": {"plugin/draw/added.cpp": '#include "plugin/cli/arguments/usage.h"\n'},
         "an answer's report below the model's": {
             "plugin/reports/models/added.cpp": '#include "plugin/reports/cuts/trim.h"\n'},
-        "exchange below faces": {"adapters/occt/faces/added.cpp": '#include "adapters/occt/exchange/step.h"\n'},
+        "exchange below faces": {"adapters/occt/faces/added.cpp": '#include "adapters/occt/exchange/step/step.h"\n'},
         "a crowd": {f"core/plane/added{i}.h": "" for i in range(MOST_HEADERS)},
     }
     before = set(faults(files))

@@ -8,7 +8,7 @@
 #include <TopoDS_Edge.hxx>
 
 #include "adapters/occt/splitting/common_edges.h"
-#include "adapters/occt/splitting/edge_union.h"
+#include "adapters/occt/splitting/edges/edge_union.h"
 #include "adapters/occt/splitting/face_splitter.h"
 #include "core/forms/spline.h"
 #include "core/math/interval.h"

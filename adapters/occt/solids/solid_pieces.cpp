@@ -22,7 +22,7 @@
 #include "adapters/occt/solids/touching_curves.h"
 #include "adapters/occt/splitting/common_edges.h"
 #include "adapters/occt/splitting/edge_images.h"
-#include "adapters/occt/splitting/edge_union.h"
+#include "adapters/occt/splitting/edges/edge_union.h"
 #include "adapters/occt/splitting/face_division.h"
 #include "core/base/work_limit.h"
 

@@ -19,7 +19,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/splitting/edge_stretches.h"
+#include "adapters/occt/splitting/edges/edge_stretches.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {

@@ -22,8 +22,8 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/splitting/edge_images.h"
-#include "adapters/occt/splitting/edge_stretches.h"
-#include "adapters/occt/splitting/limits.h"
+#include "adapters/occt/splitting/edges/edge_stretches.h"
+#include "adapters/occt/splitting/edges/limits.h"
 #include "core/bounds/box_tree.h"
 #include "core/forms/curve_spans.h"
 

@@ -22,9 +22,9 @@
 
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/intersection.h"
-#include "adapters/occt/splitting/edge_meetings.h"
-#include "adapters/occt/splitting/edge_splits.h"
-#include "adapters/occt/splitting/edge_union.h"
+#include "adapters/occt/splitting/edges/edge_meetings.h"
+#include "adapters/occt/splitting/edges/edge_splits.h"
+#include "adapters/occt/splitting/edges/edge_union.h"
 #include "adapters/occt/splitting/face_splitter.h"
 #include "core/results/curve_surface_result.h"
 

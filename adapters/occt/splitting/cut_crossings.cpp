@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "adapters/occt/splitting/limits.h"
+#include "adapters/occt/splitting/edges/limits.h"
 
 namespace blossom::occt {
 namespace {

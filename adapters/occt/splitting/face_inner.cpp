@@ -16,8 +16,8 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "adapters/occt/splitting/edges/limits.h"
 #include "adapters/occt/splitting/face_splitter.h"
-#include "adapters/occt/splitting/limits.h"
 
 namespace blossom::occt {
 namespace {

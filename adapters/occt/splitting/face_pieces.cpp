@@ -17,8 +17,8 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/convert/pcurves.h"
+#include "adapters/occt/splitting/edges/limits.h"
 #include "adapters/occt/splitting/face_splitter.h"
-#include "adapters/occt/splitting/limits.h"
 
 namespace blossom::occt {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/splitting/cut_crossings.h"
-#include "adapters/occt/splitting/limits.h"
+#include "adapters/occt/splitting/edges/limits.h"
 
 namespace blossom::occt {
 namespace {

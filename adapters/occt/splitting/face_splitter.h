@@ -14,7 +14,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/faces/face_trims.h"
-#include "adapters/occt/splitting/edge_splits.h"
+#include "adapters/occt/splitting/edges/edge_splits.h"
 #include "adapters/occt/trim_tool.h"
 #include "core/base/tolerances.h"
 #include "core/base/work_limit.h"

@@ -7,8 +7,8 @@
 
 #include <BRep_Tool.hxx>
 
+#include "adapters/occt/splitting/edges/limits.h"
 #include "adapters/occt/splitting/face_splitter.h"
-#include "adapters/occt/splitting/limits.h"
 
 namespace blossom::occt {
 namespace {

@@ -2,7 +2,7 @@
 // Content of .stl, .ply, .obj and .off: as programs write it, as it comes back, and as it is
 // damaged.
 
-#include "plugin/meshes/mesh_formats.h"
+#include "plugin/meshes/formats/mesh_formats.h"
 
 #include <gtest/gtest.h>
 

@@ -32,7 +32,7 @@
 #include "adapters/occt/blending/strips/end_curves.h"
 #include "adapters/occt/blending/strips/notches.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
-#include "adapters/occt/splitting/edge_splits.h"
+#include "adapters/occt/splitting/edges/edge_splits.h"
 
 namespace blossom::occt {
 

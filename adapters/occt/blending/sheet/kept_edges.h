@@ -13,7 +13,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/blending/body_edges.h"
-#include "adapters/occt/splitting/edge_splits.h"
+#include "adapters/occt/splitting/edges/edge_splits.h"
 
 namespace blossom::occt {
 

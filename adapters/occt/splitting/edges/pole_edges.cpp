@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/splitting/pole_edges.h"
+#include "adapters/occt/splitting/edges/pole_edges.h"
 
 #include <algorithm>
 #include <cmath>

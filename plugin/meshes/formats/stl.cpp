@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #include "core/math/index.h"
-#include "plugin/meshes/little_endian.h"
-#include "plugin/meshes/mesh_formats.h"
-#include "plugin/meshes/text_words.h"
+#include "plugin/meshes/formats/little_endian.h"
+#include "plugin/meshes/formats/mesh_formats.h"
+#include "plugin/meshes/formats/text_words.h"
 
 namespace blossom::meshes {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "core/math/index.h"
-#include "plugin/meshes/little_endian.h"
-#include "plugin/meshes/mesh_formats.h"
-#include "plugin/meshes/text_words.h"
+#include "plugin/meshes/formats/little_endian.h"
+#include "plugin/meshes/formats/mesh_formats.h"
+#include "plugin/meshes/formats/text_words.h"
 
 namespace blossom::meshes {
 namespace {

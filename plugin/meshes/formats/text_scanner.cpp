@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/meshes/text_scanner.h"
+#include "plugin/meshes/formats/text_scanner.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "plugin/meshes/mesh_formats.h"
+#include "plugin/meshes/formats/mesh_formats.h"
 
 namespace blossom::meshes {
 namespace {

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "core/math/index.h"
-#include "plugin/meshes/mesh_formats.h"
+#include "plugin/meshes/formats/mesh_formats.h"
+#include "plugin/meshes/formats/text_scanner.h"
+#include "plugin/meshes/formats/text_words.h"
 #include "plugin/meshes/mesh_polygons.h"
-#include "plugin/meshes/text_scanner.h"
-#include "plugin/meshes/text_words.h"
 
 namespace blossom::meshes {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/exchange/step_names.h"
+#include "adapters/occt/exchange/step/step_names.h"
 
 #include <algorithm>
 #include <cstddef>

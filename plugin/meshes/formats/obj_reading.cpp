@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "plugin/meshes/mesh_formats.h"
+#include "plugin/meshes/formats/mesh_formats.h"
+#include "plugin/meshes/formats/text_scanner.h"
 #include "plugin/meshes/mesh_polygons.h"
-#include "plugin/meshes/text_scanner.h"
 
 namespace blossom::meshes {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/exchange/modules.h"
-#include "adapters/occt/exchange/step.h"
+#include "adapters/occt/exchange/step/step.h"
 
 namespace blossom::occt {
 

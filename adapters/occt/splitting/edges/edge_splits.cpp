@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/splitting/edge_splits.h"
+#include "adapters/occt/splitting/edges/edge_splits.h"
 
 #include <algorithm>
 #include <cassert>
@@ -20,7 +20,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/splitting/limits.h"
+#include "adapters/occt/splitting/edges/limits.h"
 
 namespace blossom::occt {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/meshes/mesh_formats.h"
-#include "plugin/meshes/text_words.h"
+#include "plugin/meshes/formats/mesh_formats.h"
+#include "plugin/meshes/formats/text_words.h"
 
 namespace blossom::meshes {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/math/index.h"
-#include "plugin/meshes/mesh_formats.h"
-#include "plugin/meshes/place_numbers.h"
-#include "plugin/meshes/text_scanner.h"
+#include "plugin/meshes/formats/mesh_formats.h"
+#include "plugin/meshes/formats/place_numbers.h"
+#include "plugin/meshes/formats/text_scanner.h"
 
 namespace blossom::meshes {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Wavefront's .obj, with groups.
-#include "plugin/meshes/mesh_formats.h"
-#include "plugin/meshes/text_words.h"
+#include "plugin/meshes/formats/mesh_formats.h"
+#include "plugin/meshes/formats/text_words.h"
 
 namespace blossom::meshes {
 std::string obj_text(const FileMesh& mesh) {

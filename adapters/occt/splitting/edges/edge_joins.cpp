@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/splitting/edge_joins.h"
+#include "adapters/occt/splitting/edges/edge_joins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -25,12 +25,12 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exchange/detail.h"
-#include "adapters/occt/exchange/step.h"
-#include "adapters/occt/exchange/step_faults.h"
-#include "adapters/occt/exchange/step_names.h"
-#include "adapters/occt/exchange/step_other_files.h"
-#include "adapters/occt/exchange/step_sides.h"
-#include "adapters/occt/exchange/step_text.h"
+#include "adapters/occt/exchange/step/step.h"
+#include "adapters/occt/exchange/step/step_faults.h"
+#include "adapters/occt/exchange/step/step_names.h"
+#include "adapters/occt/exchange/step/step_other_files.h"
+#include "adapters/occt/exchange/step/step_sides.h"
+#include "adapters/occt/exchange/step/step_text.h"
 
 namespace blossom::occt {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Faces on closed surfaces in STEP files of others: the side that the file says.
 
-#include "adapters/occt/exchange/step_sides.h"
+#include "adapters/occt/exchange/step/step_sides.h"
 
 #include <gtest/gtest.h>
 

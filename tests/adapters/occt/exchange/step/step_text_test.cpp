@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // STEP text that Open CASCADE would misread is written as it reads it.
 
-#include "adapters/occt/exchange/step_text.h"
+#include "adapters/occt/exchange/step/step_text.h"
 
 #include <string>
 

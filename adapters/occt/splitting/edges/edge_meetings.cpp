@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/splitting/edge_meetings.h"
+#include "adapters/occt/splitting/edges/edge_meetings.h"
 
 #include <array>
 #include <optional>
@@ -7,7 +7,7 @@
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
 
-#include "adapters/occt/splitting/edge_stretches.h"
+#include "adapters/occt/splitting/edges/edge_stretches.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {

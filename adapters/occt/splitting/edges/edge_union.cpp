@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/splitting/edge_union.h"
+#include "adapters/occt/splitting/edges/edge_union.h"
 
 #include <algorithm>
 #include <vector>
@@ -18,9 +18,9 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
 
-#include "adapters/occt/splitting/edge_splits.h"
-#include "adapters/occt/splitting/limits.h"
-#include "adapters/occt/splitting/pole_edges.h"
+#include "adapters/occt/splitting/edges/edge_splits.h"
+#include "adapters/occt/splitting/edges/limits.h"
+#include "adapters/occt/splitting/edges/pole_edges.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
