@@ -24,9 +24,10 @@
 #include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/curve_queries.h"
-#include "adapters/occt/faces/chart_region.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection.h"
 #include "core/base/errors.h"
+#include "core/topology/chart_region.h"
 
 namespace blossom::occt {
 namespace {

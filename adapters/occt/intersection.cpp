@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <BRep_Tool.hxx>
+#include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
@@ -21,11 +22,12 @@
 #include "adapters/occt/faces/equal_faces.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_list.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/shared_edges.h"
-#include "adapters/occt/neighbours/along_shared_edges.h"
-#include "adapters/occt/neighbours/neighbour_proof.h"
-#include "adapters/occt/neighbours/sliver_spans.h"
 #include "core/base/parallel.h"
+#include "core/neighbours/along_shared_edges.h"
+#include "core/neighbours/neighbour_proof.h"
+#include "core/neighbours/sliver_spans.h"
 #include "core/surfaces/retry/exchanged_order.h"
 
 namespace blossom::occt {
@@ -84,13 +86,21 @@ class PairIntersector {
 
  private:
   // Curves as Open CASCADE has them, and the edges and vertices that points are on.
-  static void add_shapes(const FaceData& a, const FaceData& b, FaceIntersection& result) {
+  void add_shapes(const FaceData& a, const FaceData& b, FaceIntersection& result) const {
     result.edges.clear();
     result.borders.clear();
     for (const IntersectionCurve& curve : result.found.curves)
       result.edges.push_back(edge_curves(curve));
+    if (result.found.points.empty()) return;
+    const auto [of_a, of_b] = shapes_of(result);
     for (const SurfacePoint& x : result.found.points)
-      result.borders.push_back({border_at(a.trims, x.uv_a), border_at(b.trims, x.uv_b)});
+      result.borders.push_back(
+          {of_a.at(border_at(a.trims, x.uv_a)), of_b.at(border_at(b.trims, x.uv_b))});
+  }
+
+  std::array<TrimShapes, 2> shapes_of(const FaceIntersection& pair) const {
+    return {trim_shapes(faces_a_.face(static_cast<std::size_t>(pair.face_a))),
+            trim_shapes(faces_b_.face(static_cast<std::size_t>(pair.face_b)))};
   }
 
   // Whatever the surface does, all of one face is in the other.
@@ -99,7 +109,10 @@ class PairIntersector {
     const auto j = static_cast<std::size_t>(result.face_b);
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     result.found.overlaps = {whole_overlap(faces_a_.face(i), a.trims, match.map, match.gap)};
-    result.equal_edges = match.edges;
+    const auto [of_a, of_b] = shapes_of(result);
+    for (const auto& [on_a, on_b] : match.edges)
+      result.equal_edges.emplace_back(TopoDS::Edge(of_a.edges(on_a + 1)),
+                                      TopoDS::Edge(of_b.edges(on_b + 1)));
     result.found.places = {
         {PlaceKind::Overlap, a.box.low, a.box.high, 0, match.gap, parameters_of(a, b)}};
     identify(result.found.certificate, match.gap);
@@ -157,7 +170,11 @@ class PairIntersector {
       add_edges(edges, result);
     } else if (&a != &b) {
       if (!edges.empty()) drop_places_along_edges(result.found, edges, options_.tolerances.point);
-      const auto is_shared = [&](const SurfacePoint& x) { return lies_on_shared(a, b, x); };
+      const std::array<TrimShapes, 2> shapes = shapes_of(result);
+      const auto is_shared = [&](const SurfacePoint& x) {
+        const TopoDS_Shape on_a = shapes[0].at(border_at(a.trims, x.uv_a));
+        return !on_a.IsNull() && on_a.IsSame(shapes[1].at(border_at(b.trims, x.uv_b)));
+      };
       std::erase_if(result.found.points, is_shared);
       std::erase_if(touches, [&](const Touch& touch) { return is_shared(touch.at); });
     }
@@ -171,7 +188,11 @@ class PairIntersector {
                                 FaceIntersection& result) const {
     if (&a == &b || (shared_ == Shared::Listed && edges.empty())) return false;
     const IntersectionOptions left = limit_.remaining();
-    NeighbourProof proof = meet_in_shared_only(a, b, edges, left.tolerances.point, WorkLimit(left));
+    const std::vector<SharedVertex> vertices =
+        shared_vertices(faces_a_.face(static_cast<std::size_t>(result.face_a)),
+                        faces_b_.face(static_cast<std::size_t>(result.face_b)));
+    NeighbourProof proof =
+        meet_in_shared_only(a, b, edges, vertices, left.tolerances.point, WorkLimit(left));
     if (!proof.proven) return false;
     result.found.certificate = std::move(proof.certificate);
     if (shared_ == Shared::Listed) add_edges(edges, result);
@@ -304,12 +325,6 @@ class PairIntersector {
       result.chains.push_back({{{place, true}}, edge.curve.closed});
       result.found.curves.push_back(edge.curve);
     }
-  }
-
-  // Whether a point is on a vertex or an edge of both faces.
-  static bool lies_on_shared(const FaceData& a, const FaceData& b, const SurfacePoint& x) {
-    const TopoDS_Shape on_a = border_at(a.trims, x.uv_a);
-    return !on_a.IsNull() && on_a.IsSame(border_at(b.trims, x.uv_b));
   }
 
   // Where something stays within tolerance, but no curve or region tells what, the faces may have

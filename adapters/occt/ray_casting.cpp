@@ -17,11 +17,11 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/surfaces.h"
-#include "adapters/occt/faces/chart_region.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection_edges.h"
 #include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
+#include "core/topology/chart_region.h"
 
 namespace blossom::occt {
 namespace {
@@ -33,11 +33,15 @@ constexpr double kBesideEdge = 4;
 
 struct RayFace {
   FaceTrims trims;
+  TrimShapes shapes;
   ChartRegion region;
   bool reversed = false;
 
   explicit RayFace(const TopoDS_Face& face)
-      : trims(face_trims(face)), region(trims), reversed(face.Orientation() == TopAbs_REVERSED) {}
+      : trims(face_trims(face)),
+        shapes(trim_shapes(face)),
+        region(trims),
+        reversed(face.Orientation() == TopAbs_REVERSED) {}
 };
 
 double largest_tolerance(const TopoDS_Face& face) {
@@ -118,6 +122,7 @@ struct ShapeRays::Impl {
 // The edge of the face that is nearest to a hit; a vertex wins where it is as near.
 NearEdge ShapeRays::Impl::nearest_edge(int face, const Vec2& chart, const Vec3& point) const {
   const FaceTrims& trims = rayed[static_cast<std::size_t>(face)].trims;
+  const TrimShapes& shapes = rayed[static_cast<std::size_t>(face)].shapes;
   const double margin = 0.05 * norm(trims.box.high - trims.box.low);
   NearEdge best;
   for (const auto& loop : trims.loops)
@@ -127,27 +132,26 @@ NearEdge ShapeRays::Impl::nearest_edge(int face, const Vec2& chart, const Vec3& 
       const double gap = distance(image(face, point_at(coedge.curve, foot.parameter)), point);
       if (gap < best.distance) {
         best.distance = gap;
-        best.tolerance = BRep_Tool::Tolerance(coedge.edge);
+        best.tolerance = coedge.tolerance;
         if (best.shape.IsNull() || best.shape.ShapeType() != TopAbs_VERTEX)
-          best.shape = coedge.edge;
+          best.shape = shapes.edge(coedge);
       }
       const Interval domain = coedge.curve.domain();
       for (const bool last : {false, true}) {
         const Vec2 end = point_at(coedge.curve, last ? domain.to : domain.from);
         if (distance(image(face, end), point) > tolerance) continue;
-        const TopoDS_Vertex vertex =
-            last ? TopExp::LastVertex(coedge.edge) : TopExp::FirstVertex(coedge.edge);
-        if (!vertex.IsNull()) best.shape = vertex;
+        best.shape = shapes.vertices((last != coedge.reversed ? coedge.end : coedge.start) + 1);
       }
     }
   return best;
 }
 
 bool ShapeRays::Impl::has_edge(int face, const TopoDS_Shape& edge) const {
-  for (const auto& loop : rayed[static_cast<std::size_t>(face)].trims.loops)
-    for (const Coedge& coedge : loop)
-      if (coedge.edge.IsSame(edge)) return true;
-  return false;
+  const RayFace& of = rayed[static_cast<std::size_t>(face)];
+  const int number = of.shapes.edges.FindIndex(edge) - 1;
+  return std::ranges::any_of(of.trims.loops, [&](const std::vector<Coedge>& loop) {
+    return std::ranges::any_of(loop, [&](const Coedge& coedge) { return coedge.edge == number; });
+  });
 }
 
 ShapeRays::ShapeRays(const std::vector<TopoDS_Face>& faces, double tolerance,

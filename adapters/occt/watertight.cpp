@@ -26,6 +26,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/untrimmed.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/splitting/edges/edge_joins.h"
@@ -141,11 +142,13 @@ class Reader {
 
   void add(const TopoDS_Face& face) {
     const FaceTrims trims = face_trims(face);
+    const TrimShapes shapes = trim_shapes(face);
     CommonFace made{bezier_surface(face), trimmed_chart(trims), {}, {}};
     for (const auto& loop : trims.loops)
       for (const Coedge& coedge : loop) {
-        made.edges.push_back(edge_of(coedge));
-        made.parameters.push_back(parameters(made.edges.back(), coedge.edge, face));
+        const TopoDS_Edge edge = shapes.edge(coedge);
+        made.edges.push_back(number_of(edge, coedge));
+        made.parameters.push_back(parameters(made.edges.back(), edge, face));
       }
     model_.faces.push_back(std::move(made));
   }
@@ -156,12 +159,12 @@ class Reader {
     return first || found == parameters_.end() ? BorderParameters{} : found->second;
   }
 
-  int edge_of(const Coedge& coedge) {
-    if (joined_.IsBound(coedge.edge)) return joined_(coedge.edge);
-    const int known = edges_.FindIndex(coedge.edge) - 1;
-    const int number = known >= 0 ? known : edges_.Add(coedge.edge) - 1;
-    if (known < 0) model_.edges.push_back(made(coedge, number));
-    if (parameters_.contains({number, faces_.FindIndex(coedge.edge)})) return number;
+  int number_of(const TopoDS_Edge& edge, const Coedge& coedge) {
+    if (joined_.IsBound(edge)) return joined_(edge);
+    const int known = edges_.FindIndex(edge) - 1;
+    const int number = known >= 0 ? known : edges_.Add(edge) - 1;
+    if (known < 0) model_.edges.push_back(made(edge, coedge, number));
+    if (parameters_.contains({number, faces_.FindIndex(edge)})) return number;
     const Interval domain = model_.edges[index(number)].domain, own = coedge.curve.domain();
     const double same = kSameRange * std::abs(length(domain));
     if (std::abs(domain.from - own.from) > same || std::abs(domain.to - own.to) > same)
@@ -177,19 +180,19 @@ class Reader {
     return made;
   }
 
-  CommonEdge made(const Coedge& coedge, int number) {
-    CommonEdge edge = with_ends(coedge.edge);
+  CommonEdge made(const TopoDS_Edge& of, const Coedge& coedge, int number) {
+    CommonEdge edge = with_ends(of);
     edge.domain = coedge.curve.domain();
     edge.is_point = coedge.degenerated;
     if (edge.is_point) return edge;
-    const TopTools_ListOfShape& faces = faces_.FindFromKey(coedge.edge);
+    const TopTools_ListOfShape& faces = faces_.FindFromKey(of);
     if (faces.Extent() == 1) {
-      const BorderImage image(coedge.edge, face_of(coedge.edge));
+      const BorderImage image(of, face_of(of));
       edge.point = [image](double t) { return image.at(t); };
       return edge;
     }
     double first = 0, last = 0;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(coedge.edge, first, last);
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(of, first, last);
     if (curve.IsNull()) throw BadModel("an edge has no curve in space");
     if (std::abs(first - edge.domain.from) + std::abs(last - edge.domain.to) >
         kSameRange * std::abs(last - first))
@@ -199,7 +202,7 @@ class Reader {
       return Vec3{p.X(), p.Y(), p.Z()};
     };
     if (faces.Extent() == 2 && !faces.First().IsSame(faces.Last()))
-      take_middle(edge, TopoDS::Edge(coedge.edge.Oriented(TopAbs_FORWARD)), number);
+      take_middle(edge, TopoDS::Edge(of.Oriented(TopAbs_FORWARD)), number);
     return edge;
   }
 

@@ -87,7 +87,7 @@ struct Split {
 // A corner of the chart at which two coedges leave a gap may be closed in another way by a piece:
 // the triangle between them is no larger than the gap and the vertex's tolerance allow.
 double gap_area(const TopoDS_Face& face) {
-  const occt::FaceTrims trims = occt::face_trims(face);
+  const FaceTrims trims = occt::face_trims(face);
   double tolerance = BRep_Tool::Tolerance(face);
   TopTools_IndexedMapOfShape vertices;
   TopExp::MapShapes(face, TopAbs_VERTEX, vertices);

@@ -150,9 +150,10 @@ std::array<double, 2> turns_of(const Handle(Geom_Surface) & given) {
   return turns;
 }
 
-Handle(Geom2d_Curve)
-    chart_near_face(const Handle(Geom2d_Curve) & chart, double at, const FaceTrims& trims) {
-  const std::array<double, 2> turns = turns_of(BRep_Tool::Surface(trims.face));
+Handle(Geom2d_Curve) chart_near_face(const Handle(Geom2d_Curve) & chart, double at,
+                                     const BodyEdges& body, int face) {
+  const FaceTrims& trims = body.trims(face);
+  const std::array<double, 2> turns = turns_of(BRep_Tool::Surface(body.face(face)));
   const gp_Pnt2d there = chart->Value(at);
   const Vec2 middle = 0.5 * (trims.box.low + trims.box.high);
   Vec2 best;

@@ -12,7 +12,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/blending/body_edges.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
 
@@ -57,7 +57,7 @@ std::array<double, 2> turns_of(const Handle(Geom_Surface) & given);
 /// A curve in the chart of a face, moved by whole turns so that at a parameter it is as near as can
 /// be to where the face is: inside of its box, and of its wires, if any is.
 Handle(Geom2d_Curve)
-    chart_near_face(const Handle(Geom2d_Curve) & chart, double at, const FaceTrims& trims);
+    chart_near_face(const Handle(Geom2d_Curve) & chart, double at, const BodyEdges& body, int face);
 
 /// The parameter of the point of a curve nearest to a point, by Newton's method from the nearest of
 /// samples; within the range.

@@ -74,12 +74,13 @@ const BodyEdges::FaceUses& BodyEdges::uses_of(int number) const {
   if (const auto known = known_.find(number); known != known_.end()) return known->second;
   FaceUses& made = known_[number];
   made.trims = face_trims(face(number));
+  const TrimShapes shapes = trim_shapes(face(number));
   const bool reversed = face(number).Orientation() == TopAbs_REVERSED;
   for (const auto& loop : made.trims.loops) {
     const std::size_t first = made.uses.size();
     for (const Coedge& coedge : loop)
-      made.uses.push_back(
-          {number, edges_.FindIndex(coedge.edge), coedge.reversed() == reversed, &coedge, -1, -1});
+      made.uses.push_back({number, edges_.FindIndex(shapes.edge(coedge)),
+                           coedge.reversed == reversed, &coedge, -1, -1});
     connect(made.uses, first);
     for (std::size_t i = first; reversed && i < made.uses.size(); ++i)
       std::swap(made.uses[i].next, made.uses[i].previous);

@@ -9,8 +9,8 @@
 #include <Geom_Surface.hxx>
 
 #include "adapters/occt/convert/curves.h"
-#include "adapters/occt/faces/hermite_curves.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "core/results/hermite_curves.h"
 #include "core/tracing/spline_fit.h"
 
 namespace blossom::occt {

@@ -18,8 +18,8 @@
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/run_curves.h"
 #include "adapters/occt/faces/surface_projector.h"
-#include "adapters/occt/neighbours/along_shared_edges.h"
 #include "core/bounds/box_tree.h"
+#include "core/neighbours/along_shared_edges.h"
 
 namespace blossom::occt {
 namespace {

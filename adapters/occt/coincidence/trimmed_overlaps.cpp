@@ -90,7 +90,7 @@ std::vector<SurfacePoint> boundary_of(const FaceTrims& trims, const Handle(Geom_
         samples_of(coedge, [&](double t) { return frame_at(surface, uv_at(coedge, t)).point; });
     for (int i = 0; i < samples; ++i) {
       const double part = static_cast<double>(i) / samples;
-      const Vec2 uv = uv_at(coedge, at(coedge.curve.domain(), coedge.reversed() ? 1 - part : part));
+      const Vec2 uv = uv_at(coedge, at(coedge.curve.domain(), coedge.reversed ? 1 - part : part));
       const Vec3 point = frame_at(surface, uv).point;
       loops.back().push_back({point, uv, place_of(point, uv)});
     }
@@ -174,9 +174,10 @@ TrimmedOverlaps trimmed_overlaps(const TopoDS_Face& a, const TopoDS_Face& b,
 
 Overlap whole_overlap(const TopoDS_Face& face, const FaceTrims& trims, const ChartMap& to_b,
                       double gap) {
+  const TrimShapes shapes = trim_shapes(face);
   const bool bounded = std::ranges::any_of(trims.loops, [&](const std::vector<Coedge>& loop) {
     return std::ranges::any_of(loop, [&](const Coedge& coedge) {
-      return !coedge.degenerated && !is_seam(coedge.edge, face);
+      return !coedge.degenerated && !is_seam(shapes.edge(coedge), face);
     });
   });
   if (!bounded) return {{}, gap};

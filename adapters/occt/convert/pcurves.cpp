@@ -31,7 +31,6 @@ namespace {
 
 constexpr double kRelativeError = 1e-9;
 constexpr int kMaxChartSpans = 400;
-constexpr double kEven = 1e-12;  // of the largest coordinate: rounding of fitted control points
 
 // C(a) = centre + cos a * x + sin a * y, over the range of the angle, in arcs of at most a
 // quarter; the middle weight of an arc of half angle h is cos h.
@@ -129,37 +128,12 @@ PlanarCurve planar_curve(const Handle(Geom2d_Curve) & curve, const Interval& ran
   return approximated(curve, range);
 }
 
-bool is_even_line(const Spline2& spline) {
-  const Interval domain = spline.domain();
-  const Vec2 from = spline.points.front(), whole = spline.points.back() - from;
-  Vec2 allowed;
-  for (const Vec2& point : spline.points)
-    for (int d = 0; d < 2; ++d) allowed[d] = std::max(allowed[d], kEven * std::abs(point[d]));
-  std::vector<double> knots;
-  for (std::size_t i = 0; i < spline.knots.size(); ++i)
-    knots.insert(knots.end(), static_cast<std::size_t>(spline.multiplicities[i]), spline.knots[i]);
-  // The control points of an even line lie at the means of their knots (Greville's abscissae).
-  for (std::size_t i = 0; i < spline.points.size(); ++i) {
-    double mean = 0;
-    for (int k = 1; k <= spline.degree; ++k)
-      mean += knots[i + static_cast<std::size_t>(k)] / spline.degree;
-    const Vec2 off = spline.points[i] - (from + (mean - domain.from) / length(domain) * whole);
-    if (!(std::abs(off[0]) <= allowed[0] && std::abs(off[1]) <= allowed[1])) return false;
-  }
-  return true;
-}
-
-PlanarCurve simplest_curve(const Spline2& spline) {
-  if (!is_even_line(spline)) return planar_curve(spline);
-  return planar_line(spline.points.front(), spline.points.back(), spline.domain());
-}
-
 Handle(Geom2d_Curve) simplest_to_occt(const Spline2& spline) {
   if (!is_even_line(spline)) return to_occt(spline);
   const Interval domain = spline.domain();
   const Vec2 from = spline.points.front(), to = spline.points.back();
   const Vec2 rate = (1 / length(domain)) * (to - from);
-  if (std::abs(norm(rate) - 1) > kEven)
+  if (std::abs(norm(rate) - 1) > kEvenLine)
     return to_occt(Spline2{1, {domain.from, domain.to}, {2, 2}, {from, to}});
   const Vec2 start = from - domain.from * rate;
   return new Geom2d_Line({start[0], start[1]}, {rate[0], rate[1]});

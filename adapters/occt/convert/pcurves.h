@@ -6,6 +6,7 @@
 #include <Geom2d_Curve.hxx>
 
 #include "core/forms/spline.h"
+#include "core/plane/even_line.h"
 #include "core/plane/planar_curves.h"
 
 namespace blossom::occt {
@@ -14,14 +15,6 @@ namespace blossom::occt {
 /// circles, ellipses and B-splines exactly, others within 1e-9 of the size of the piece.
 /// throws   BadModel if the range is not finite or empty, or the curve cannot be converted
 PlanarCurve planar_curve(const Handle(Geom2d_Curve) & curve, const Interval& range);
-
-/// Whether a spline is a straight line along which its parameter runs evenly, to 1e-12 of its
-/// largest coordinates: the image of a circle round a cylinder's axis has as many spans as another
-/// image of it needs.
-bool is_even_line(const Spline2& spline);
-
-/// The spans of the spline; one straight one if it is an even line.
-PlanarCurve simplest_curve(const Spline2& spline);
 
 /// The spline with the same parameter, an even line as a line.
 /// throws   Failure if Open CASCADE refuses the knots or the number of points

@@ -209,11 +209,12 @@ class Density {
  public:
   using Values = Vec<double, Count>;
 
-  Density(const FaceTrims& trims, Integrand<Count> integrand, Runs runs, double enough = 0)
+  Density(const TopoDS_Face& face, const FaceTrims& trims, Integrand<Count> integrand, Runs runs,
+          double enough = 0)
       : integrand_(std::move(integrand)),
         low_{trims.box.low[0] / trims.scale[0], trims.box.low[1] / trims.scale[1]},
         high_{trims.box.high[0] / trims.scale[0], trims.box.high[1] / trims.scale[1]},
-        surface_(trims.face, {{low_[0], high_[0]}, {low_[1], high_[1]}}) {
+        surface_(face, {{low_[0], high_[0]}, {low_[1], high_[1]}}) {
     const std::vector<double> u = surface_.knots(Along::U), v = surface_.knots(Along::V);
     if (runs == Runs::AlongLines) lines_ = surface_.lines();
     inner_ = lines_ == Lines::Turning || (lines_ == Lines::Any && u.size() <= v.size()) ? 0 : 1;
@@ -389,15 +390,11 @@ Vec<double, Count> along(const Coedge& coedge, const FaceTrims& trims,
                         at({ends[i], ends[i + 1]}, (k + 1.0) / cells), tolerance)
                    .value;
   }
-  const auto end = [&](bool last) {
-    const Interval domain = coedge.curve.domain();
-    return point_at(coedge.curve, last != coedge.reversed() ? domain.to : domain.from);
-  };
   const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
-  const Values gaps = across(corner(coedge.from), end(false), trims, density) +
-                      across(end(true), corner(coedge.to), trims, density);
+  const Values gaps = across(corner(coedge.from), end_point(coedge, false), trims, density) +
+                      across(end_point(coedge, true), corner(coedge.to), trims, density);
   // A region on the left of its border has the integral of F dv, but minus that of F du.
-  return ((coedge.reversed() ? -sum : sum) + gaps) * (x == 0 ? 1 : -1);
+  return ((coedge.reversed ? -sum : sum) + gaps) * (x == 0 ? 1 : -1);
 }
 
 template <int Count>
@@ -412,7 +409,8 @@ Vec<double, Count> integral_within(const FaceTrims& trims, const Density<Count>&
 double integral_over(const TopoDS_Face& face, const Integrand<1>& integrand, int cells,
                      double enough = 0) {
   const FaceTrims trims = face_trims(face);
-  return integral_within(trims, Density<1>(trims, integrand, Runs::AlongLines, enough), cells)[0];
+  return integral_within(trims, Density<1>(face, trims, integrand, Runs::AlongLines, enough),
+                         cells)[0];
 }
 
 // The entries of s s^T.
@@ -457,7 +455,7 @@ ConeMoments cone_moments(const TopoDS_Face& face, const Vec3& apex) {
     return sample;
   };
   const FaceTrims trims = face_trims(face);
-  Vec<double, kCount> sums = integral_within(trims, Density(trims, moments, Runs::Freely));
+  Vec<double, kCount> sums = integral_within(trims, Density(face, trims, moments, Runs::Freely));
   if (face.Orientation() == TopAbs_REVERSED) sums = -sums;
   ConeMoments result{sums[0], {sums[1], sums[2], sums[3]}, {}};
   for (int k = 0; k < 6; ++k) result.second[k] = sums[4 + k];
@@ -470,7 +468,7 @@ Vec3 area_moment(const TopoDS_Face& face, const Vec3& origin) {
     return Sample<3>{(point - origin) * area, {size, size, size}};
   };
   const FaceTrims trims = face_trims(face);
-  return integral_within(trims, Density(trims, moments, Runs::Freely));
+  return integral_within(trims, Density(face, trims, moments, Runs::Freely));
 }
 
 double polygon_area(const TopoDS_Face& face, std::span<const Vec2> polygon) {

@@ -7,34 +7,14 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include <TopoDS_Edge.hxx>
-
-#include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_list.h"
 #include "adapters/occt/faces/shared_edges.h"
-#include "core/forms/surface_match.h"
+#include "core/topology/face_match.h"
 
 namespace blossom::occt {
-
-/// Two faces with one surface and one set of wires.
-struct FaceMatch {
-  ChartMap map;    ///< from the parameters of the first face to those of the second
-  double gap = 0;  ///< bound on what surfaces and wires differ by, model units; 0: the same numbers
-  bool same_tolerances = true;                             ///< of the edges
-  std::vector<std::pair<TopoDS_Edge, TopoDS_Edge>> edges;  ///< of both, each once
-};
-
-/// Whether two faces are one, told by their numbers: control points of the surfaces over the boxes
-/// of the trims (`core/forms/surface_match.h`) and of the wires in the charts. Orientations do not
-/// matter, nor the directions in which edges run.
-///
-/// within    largest difference that counts as none, model units
-/// returns   nothing too of equal faces that are described in different ways
-std::optional<FaceMatch> match(const FaceData& a, const FaceData& b, double within);
 
 /// The faces of one list that are copies of faces of another.
 class FaceCopies {

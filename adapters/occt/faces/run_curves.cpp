@@ -15,8 +15,8 @@
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
-#include "adapters/occt/faces/hermite_curves.h"
 #include "adapters/occt/faces/surface_projector.h"
+#include "core/results/hermite_curves.h"
 
 namespace blossom::occt {
 namespace {

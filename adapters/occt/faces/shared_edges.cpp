@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
@@ -15,8 +16,10 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/edge_charts.h"
-#include "adapters/occt/faces/hermite_curves.h"
+#include "adapters/occt/faces/face_trims.h"
+#include "core/results/hermite_curves.h"
 
 namespace blossom::occt {
 namespace {
@@ -142,7 +145,8 @@ IntersectionCurve curve_of(const EdgeOnFaces& edge, double tolerance) {
 SharedEdge shared_edge(const EdgeUses& uses, const TopoDS_Face& a, const TopoDS_Face& b) {
   const EdgeOnFaces on_faces(uses, a, b);
   const TopoDS_Edge& edge = uses.in_a;
-  SharedEdge result{edge, {}, BRep_Tool::Tolerance(edge), 0, 0};
+  SharedEdge result;
+  result.tolerance = BRep_Tool::Tolerance(edge);
   result.curve = curve_of(on_faces, result.tolerance);
   IntersectionCurve& curve = result.curve;
   curve.least_angle = 1;
@@ -165,10 +169,15 @@ SharedEdge shared_edge(const EdgeUses& uses, const TopoDS_Face& a, const TopoDS_
   return result;
 }
 
-TopTools_IndexedMapOfShape edges_of(const TopoDS_Face& face) {
-  TopTools_IndexedMapOfShape edges;
-  TopExp::MapShapes(face, TopAbs_EDGE, edges);
-  return edges;
+TopTools_IndexedMapOfShape parts_of(const TopoDS_Face& face, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(face, kind, parts);
+  return parts;
+}
+
+// Zero is what the map answers for none.
+int number_in(const TopTools_IndexedMapOfShape& shapes, const TopoDS_Shape& shape) {
+  return shapes.FindIndex(shape) - 1;
 }
 
 }  // namespace
@@ -176,12 +185,33 @@ TopTools_IndexedMapOfShape edges_of(const TopoDS_Face& face) {
 std::vector<SharedEdge> shared_edges(const TopoDS_Face& a, const TopoDS_Face& b) {
   std::vector<SharedEdge> result;
   if (a.IsSame(b)) return result;
-  const TopTools_IndexedMapOfShape of_a = edges_of(a), of_b = edges_of(b);
+  const TopTools_IndexedMapOfShape of_a = parts_of(a, TopAbs_EDGE), of_b = parts_of(b, TopAbs_EDGE);
+  std::optional<std::array<TrimShapes, 2>> shapes;
   for (int i = 1; i <= of_a.Extent(); ++i) {
     const TopoDS_Edge edge = TopoDS::Edge(of_a(i));
     if (!of_b.Contains(edge) || BRep_Tool::Degenerated(edge)) continue;
     if (is_seam(edge, a) || is_seam(edge, b)) continue;
-    result.push_back(shared_edge({edge, TopoDS::Edge(of_b(of_b.FindIndex(edge)))}, a, b));
+    if (!shapes) shapes = {trim_shapes(a), trim_shapes(b)};
+    SharedEdge& added =
+        result.emplace_back(shared_edge({edge, TopoDS::Edge(of_b(of_b.FindIndex(edge)))}, a, b));
+    added.in_a = number_in((*shapes)[0].edges, edge);
+    added.in_b = number_in((*shapes)[1].edges, edge);
+  }
+  return result;
+}
+
+std::vector<SharedVertex> shared_vertices(const TopoDS_Face& a, const TopoDS_Face& b) {
+  std::vector<SharedVertex> result;
+  const TopTools_IndexedMapOfShape of_a = parts_of(a, TopAbs_VERTEX),
+                                   of_b = parts_of(b, TopAbs_VERTEX);
+  std::optional<std::array<TrimShapes, 2>> shapes;
+  for (int i = 1; i <= of_a.Extent(); ++i) {
+    if (!of_b.Contains(of_a(i))) continue;
+    if (!shapes) shapes = {trim_shapes(a), trim_shapes(b)};
+    const TopoDS_Vertex vertex = TopoDS::Vertex(of_a(i));
+    result.push_back({number_in((*shapes)[0].vertices, vertex),
+                      number_in((*shapes)[1].vertices, vertex), vec(BRep_Tool::Pnt(vertex)),
+                      BRep_Tool::Tolerance(vertex)});
   }
   return result;
 }

@@ -2,24 +2,9 @@
 #include "adapters/occt/faces/untrimmed.h"
 
 #include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/faces/face_trims.h"
 
 namespace blossom::occt {
-
-TrimmedChart trimmed_chart(const FaceTrims& trims) {
-  const Vec2 back{1 / trims.scale[0], 1 / trims.scale[1]};  // powers of two
-  TrimmedChart chart;
-  for (const auto& loop : trims.loops)
-    for (const Coedge& coedge : loop)
-      chart.borders.push_back({transformed(coedge.curve, back, {}),
-                               coedge.reversed(),
-                               coedge.from,
-                               coedge.to,
-                               {},
-                               coedge.degenerated});
-  for (const Vec2& corner : trims.corners)
-    chart.corners.push_back({corner[0] * back[0], corner[1] * back[1]});
-  return chart;
-}
 
 UntrimmedFace untrimmed(const TopoDS_Face& face, const RegionOptions& options,
                         TriangleLowering& lowering) {

@@ -5,14 +5,10 @@
 
 #include <TopoDS_Face.hxx>
 
-#include "adapters/occt/faces/face_trims.h"
 #include "core/regions/triangulated_region.h"
+#include "core/topology/trimmed_chart.h"
 
 namespace blossom::occt {
-
-/// The wires of a face as the core takes them, in the surface's own parameters. The borders are the
-/// coedges, loop by loop.
-TrimmedChart trimmed_chart(const FaceTrims& trims);
 
 struct UntrimmedFace {
   BezierSurface surface;  ///< of the face, in model space, over the box of its trims

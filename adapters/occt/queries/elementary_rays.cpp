@@ -13,9 +13,9 @@
 #include <gp_Ax3.hxx>
 
 #include "adapters/occt/base/points.h"
-#include "adapters/occt/faces/face_trims_detail.h"
 #include "core/math/polynomial.h"
 #include "core/plane/planar_curves.h"
+#include "core/topology/face_trims.h"
 
 namespace blossom::occt {
 namespace {

@@ -93,7 +93,7 @@ std::optional<Interval> angles_of(const Net& net) {
 }  // namespace
 
 FeetOnFace::FeetOnFace(const TopoDS_Face& face) : trims_(face_trims(face)) {
-  const BRepAdaptor_Surface surface(trims_.face, Standard_False);
+  const BRepAdaptor_Surface surface(face, Standard_False);
   switch (surface.GetType()) {
     case GeomAbs_Plane:
       kind_ = ElementaryKind::Plane;
@@ -131,15 +131,17 @@ double FeetOnFace::distance_bound(const Net& net) const {
   return std::max(radius_ - least, most - radius_);
 }
 
-std::optional<double> FeetOnFace::farthest_in_plane(const FaceTrims& piece, double within) const {
+std::optional<double> FeetOnFace::farthest_in_plane(const TopoDS_Face& face, const FaceTrims& piece,
+                                                    double within) const {
   if (kind_ != ElementaryKind::Plane && kind_ != ElementaryKind::Cylinder) return {};
-  if (BRepAdaptor_Surface(piece.face, Standard_False).GetType() != GeomAbs_Plane) return {};
-  if (kind_ == ElementaryKind::Cylinder && axis_meets(piece)) return {};
+  if (BRepAdaptor_Surface(face, Standard_False).GetType() != GeomAbs_Plane) return {};
+  if (kind_ == ElementaryKind::Cylinder && axis_meets(face, piece)) return {};
+  const TrimShapes shapes = trim_shapes(face);
   double most = 0;
   Range feet{Interval{kInfinite, -kInfinite}, Interval{kInfinite, -kInfinite}};
   for (const auto& loop : piece.loops)
     for (const Coedge& coedge : loop) {
-      const CurveSpans curve = bezier_spans(coedge.edge, within);
+      const CurveSpans curve = bezier_spans(shapes.edge(coedge), within);
       for (const CurveSpan& span : curve.spans) {
         Net net(static_cast<int>(span.curve.points.size()), 1);
         for (int i = 0; i < net.rows(); ++i)
@@ -161,9 +163,9 @@ std::optional<double> FeetOnFace::farthest_in_plane(const FaceTrims& piece, doub
 }
 
 // Or may meet it, where it is along the plane.
-bool FeetOnFace::axis_meets(const FaceTrims& piece) const {
+bool FeetOnFace::axis_meets(const TopoDS_Face& face, const FaceTrims& piece) const {
   constexpr double kAlong = 1e-6;  // of unit vectors
-  const gp_Pln plane = BRepAdaptor_Surface(piece.face, Standard_False).Plane();
+  const gp_Pln plane = BRepAdaptor_Surface(face, Standard_False).Plane();
   const gp_Dir &normal = plane.Axis().Direction(), &axis = frame_.Direction();
   const double across = normal.Dot(axis);
   if (std::abs(across) < kAlong) return true;

@@ -37,13 +37,14 @@ class FeetOnFace {
   /// In the plane the distance r from an axis across it is convex, with its minimum on the axis: so
   /// r - radius is largest on an edge, and so is radius - r unless the axis meets the piece.
   /// Heights over a plane are linear.
-  std::optional<double> farthest_in_plane(const FaceTrims& piece, double within) const;
+  std::optional<double> farthest_in_plane(const TopoDS_Face& face, const FaceTrims& piece,
+                                          double within) const;
 
  private:
   using Range = std::array<Interval, 2>;
   std::optional<Range> feet_of(const RationalBezierPatch& patch) const;
   double distance_bound(const Grid<Vec4>& net) const;
-  bool axis_meets(const FaceTrims& piece) const;
+  bool axis_meets(const TopoDS_Face& face, const FaceTrims& piece) const;
   bool are_inside(const Range& feet, double within) const;
 
   std::optional<ElementaryKind> kind_;

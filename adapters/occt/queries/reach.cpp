@@ -28,6 +28,7 @@ constexpr double kAddedPart = 0.1;
 constexpr long kProofPairs = 1000;  // of cells; halving the cell is cheaper than more of them
 
 struct ReachPiece {
+  TopoDS_Face face;
   BezierSurface surface;
   FaceTrims trims;
   std::optional<double> upper{};  // no point of it lies deeper, once that was asked for
@@ -96,7 +97,7 @@ class Reaching {
       TopExp::MapShapes(face, parts_.emplace_back());
     }
     for (const TopoDS_Face& face : faces) {
-      pieces_.push_back({bezier_surface(face, tolerance), face_trims(face)});
+      pieces_.push_back({face, bezier_surface(face, tolerance), face_trims(face)});
       error_ = std::max(error_, pieces_.back().surface.error);
     }
   }
@@ -166,13 +167,13 @@ class Reaching {
   double upper_of(ReachPiece& piece) {
     if (piece.upper) return *piece.upper;
     double& least = piece.upper.emplace(kNotKnown);
-    const std::optional<gp_Pnt> point = point_inside(piece.trims.face);
+    const std::optional<gp_Pnt> point = point_inside(piece.face);
     if (!point) return least;
     const Vec3 place{point->X(), point->Y(), point->Z()};
     const TopoDS_Shape nearest = nearest_point(boundary_, place).b.on;
     for (std::size_t i = 0; i < boundary_faces_.size(); ++i)
       if (parts_[i].Contains(nearest))
-        if (const auto bound = feet_on(i).farthest_in_plane(piece.trims, within()))
+        if (const auto bound = feet_on(i).farthest_in_plane(piece.face, piece.trims, within()))
           least = std::min(least, *bound);
     return least;
   }

@@ -50,7 +50,7 @@ double length_of(const Coedge& coedge) {
 bool is_degenerate(const FaceTrims& trims, const std::vector<Coedge>& loop) {
   double area = 0, covered = 0;
   for (const Coedge& coedge : loop) {
-    const double sign = coedge.reversed() ? -1 : 1;
+    const double sign = coedge.reversed ? -1 : 1;
     for (const PlanarSpan& span : coedge.curve.spans)
       area += sign * area_along(PlanarPath{span.curve}, trims.corners.front());
     covered += std::max(Precision::Confusion(), coedge.tolerance) * length_of(coedge);
@@ -78,9 +78,8 @@ double common_tolerance(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   return largest;
 }
 
-gp_Pnt on_surface(const FaceTrims& trims, const Vec2& point) {
-  return BRep_Tool::Surface(trims.face)
-      ->Value(point[0] / trims.scale[0], point[1] / trims.scale[1]);
+Vec3 on_surface(const FaceTrims& trims, const Vec2& point) {
+  return trims.jet({point[0] / trims.scale[0], point[1] / trims.scale[1]}).point;
 }
 
 // Whether a point is at a vertex of both edges: there wires may touch, each other or themselves.
@@ -90,7 +89,7 @@ bool is_at_common_vertex(const FaceTrims& trims, const TopoDS_Edge& a, const Top
     for (TopoDS_Iterator of_b(b); of_b.More(); of_b.Next()) {
       if (!of_a.Value().IsSame(of_b.Value())) continue;
       const gp_Pnt vertex = BRep_Tool::Pnt(TopoDS::Vertex(of_a.Value()));
-      if (vertex.Distance(on_surface(trims, point)) <= reach) return true;
+      if (distance(vec(vertex), on_surface(trims, point)) <= reach) return true;
     }
   return false;
 }
@@ -102,7 +101,7 @@ bool run_from_corner(const Coedge& a, const Coedge& b, double at_crossing, doubl
   for (const bool first : {true, false}) {
     const int corner = first ? a.from : a.to;
     if (corner != b.from && corner != b.to) continue;
-    const double end = first != a.reversed() ? domain.from : domain.to;
+    const double end = first != a.reversed ? domain.from : domain.to;
     bool is_near = true;
     for (int i = 1; i < kRunSamples && is_near; ++i) {
       const Vec2 point =
@@ -115,15 +114,17 @@ bool run_from_corner(const Coedge& a, const Coedge& b, double at_crossing, doubl
 }
 
 // A point where two coedges meet though nothing joins them there.
-std::optional<Vec2> meeting_place(const FaceTrims& trims, const Coedge& a, const Coedge& b) {
+std::optional<Vec2> meeting_place(const FaceTrims& trims, const TrimShapes& shapes, const Coedge& a,
+                                  const Coedge& b) {
+  const TopoDS_Edge edge_a = shapes.edge(a), edge_b = shapes.edge(b);
   const double tolerance = Precision::Confusion();
   const double reach = std::max({kCornerReach * tolerance, a.tolerance, b.tolerance,
-                                 common_tolerance(a.edge, b.edge)}) +
+                                 common_tolerance(edge_a, edge_b)}) +
                        trims.largest_gap;
   const PlanarCrossings common = crossings(a.curve, b.curve, tolerance);
   for (const PlanarCrossing& crossing : common.points)
     if (from_common_corner(trims, a, b, crossing.point) > reach &&
-        !is_at_common_vertex(trims, a.edge, b.edge, crossing.point, reach) &&
+        !is_at_common_vertex(trims, edge_a, edge_b, crossing.point, reach) &&
         !run_from_corner(a, b, crossing.a, std::max({tolerance, a.tolerance, b.tolerance})))
       return crossing.point;
   for (const PlanarOverlap& run : common.overlaps) {
@@ -138,8 +139,7 @@ std::optional<Vec2> meeting_place(const FaceTrims& trims, const Coedge& a, const
 
 Problem meeting_problem(const FaceTrims& trims, const PlacedCoedge& a, const PlacedCoedge& b,
                         const Vec2& place) {
-  return {a.loop == b.loop ? "a wire meets itself" : "two wires meet",
-          vec(on_surface(trims, place))};
+  return {a.loop == b.loop ? "a wire meets itself" : "two wires meet", on_surface(trims, place)};
 }
 
 bool bounds(const TopoDS_Shape& shape) {
@@ -177,6 +177,7 @@ std::vector<Problem> wire_problems(const TopoDS_Face& face) {
   } catch (const BadModel& error) {
     return {{error.what()}};
   }
+  const TrimShapes shapes = trim_shapes(face);
   std::vector<Problem> problems;
   std::vector<PlacedCoedge> all;
   for (std::size_t i = 0; i < trims.loops.size(); ++i) {
@@ -188,7 +189,7 @@ std::vector<Problem> wire_problems(const TopoDS_Face& face) {
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = i + 1; k < all.size(); ++k) {
       if (apart(all[i].box, all[k].box, Precision::Confusion())) continue;
-      if (const auto place = meeting_place(trims, *all[i].coedge, *all[k].coedge))
+      if (const auto place = meeting_place(trims, shapes, *all[i].coedge, *all[k].coedge))
         problems.push_back(meeting_problem(trims, all[i], all[k], *place));
     }
   return problems;

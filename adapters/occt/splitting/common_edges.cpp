@@ -23,9 +23,9 @@
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
-#include "adapters/occt/splitting/edges/limits.h"
 #include "core/bounds/box_tree.h"
 #include "core/forms/curve_spans.h"
+#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {
@@ -81,7 +81,7 @@ std::vector<BoxedEdge> boxed(const std::vector<TopoDS_Edge>& edges, const Reach&
         const Vec3 x = projected(p);
         box = joined(box, {x, x});
       }
-    all.push_back({edge, widened(box, spans.error + kMargin * reach), reach});
+    all.push_back({edge, widened(box, spans.error + kSampledMargin * reach), reach});
   }
   return all;
 }
@@ -331,7 +331,7 @@ void CommonEdges::blur(const TopoDS_Edge& edge, const TopoDS_Face& face,
     if (!is_short(of, between, options_.tolerances.point)) return;
     if (!feet) feet.emplace(face, options_.tolerances.point);
     if (keeps_on(of, between, *feet, within))
-      blurs_.push_back({edge, widened_by(of, between, kMargin * within)});
+      blurs_.push_back({edge, widened_by(of, between, kSampledMargin * within)});
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].tangential) add(points[i].box_t);
@@ -437,7 +437,7 @@ TopoDS_Edge CommonEdges::image(const TopoDS_Edge& first, const TopoDS_Edge& seco
       const gp_Pnt2d near = given->Value(middle.parameter);
       const ChartImage found =
           image_of(of.curve, of.range, feet, Vec2{near.X(), near.Y()}, tolerance);
-      widest = std::max(widest, kMargin * found.deviation);
+      widest = std::max(widest, kSampledMargin * found.deviation);
       return found.chart;
     };
     const Handle(Geom2d_Curve) chart = chart_of(on->PCurve());

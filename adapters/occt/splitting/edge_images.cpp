@@ -21,7 +21,7 @@
 #include "adapters/occt/convert/curve_breaks.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
-#include "adapters/occt/splitting/quintic_spline.h"
+#include "core/forms/quintic_spline.h"
 
 namespace blossom::occt {
 namespace {

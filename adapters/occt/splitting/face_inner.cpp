@@ -16,8 +16,8 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/splitting/edge_images.h"
-#include "adapters/occt/splitting/edges/limits.h"
 #include "adapters/occt/splitting/face_splitter.h"
+#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {
@@ -49,8 +49,8 @@ void FaceSplitter::add_inner_stops(LiftedCut& lifted_cut) {
 // An end is perhaps that of another edge, or on the border.
 int FaceSplitter::inner_vertex(int index, int split) {
   const Coedge& of = coedge(inner_loop(), index);
-  const Vec2 point = point_at(of.curve, splits_.parameter(of.edge, split));
-  if (const int known = vertex_of_shape(splits_.vertex(of.edge, split), point); known >= 0)
+  const Vec2 point = point_at(of.curve, splits_.parameter(edge_of(of), split));
+  if (const int known = vertex_of_shape(splits_.vertex(edge_of(of), split), point); known >= 0)
     return known;
   vertices_.push_back({point, inner_loop(), index, split});
   return static_cast<int>(vertices_.size()) - 1;
@@ -69,7 +69,7 @@ int FaceSplitter::vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point)
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const Vertex& of = vertices_[i];
     const TopoDS_Vertex own =
-        of.split >= 0 ? splits_.vertex(coedge(of.loop, of.coedge).edge, of.split) : of.shape;
+        of.split >= 0 ? splits_.vertex(edge_of(coedge(of.loop, of.coedge)), of.split) : of.shape;
     if (!own.IsNull() && splits_.are_one(own, shape)) consider(static_cast<int>(i));
   }
   for (const auto& [other, vertex] : aliases_)
@@ -80,7 +80,7 @@ int FaceSplitter::vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point)
 bool FaceSplitter::add_inner_arcs() {
   for (std::size_t i = 0; i < trims_.inner.size(); ++i) {
     const int index = static_cast<int>(i);
-    for (const EdgePiece& piece : splits_.pieces(trims_.inner[i].edge)) {
+    for (const EdgePiece& piece : splits_.pieces(edge_of(trims_.inner[i]))) {
       PlanarPath path = bezier_pieces(trims_.inner[i].curve, piece.range);
       if (path.empty()) continue;
       const int from = inner_vertex(index, piece.from), to = inner_vertex(index, piece.to);
@@ -94,7 +94,7 @@ bool FaceSplitter::add_inner_arcs() {
 bool FaceSplitter::add_laid_arcs() {
   if (laid_.empty()) return false;
   const std::size_t before = arcs_.size();
-  const SurfaceProjector feet(trims_.face, tolerance_);
+  const SurfaceProjector feet(face_, tolerance_);
   for (const auto& [edge, reach] : laid_)
     for (const EdgePiece& piece : splits_.pieces(edge)) add_laid_arc(piece, reach, feet);
   return arcs_.size() > before;
@@ -123,7 +123,7 @@ void FaceSplitter::lay(const TopoDS_Edge& edge, double reach) {
 
 void FaceSplitter::lay_in_pole(const TopoDS_Edge& edge, int loop, int index) {
   const Coedge& pole = coedge(loop, index);
-  const SurfaceProjector feet(trims_.face, tolerance_);
+  const SurfaceProjector feet(face_, tolerance_);
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
   const CurveBeside beside(curve, range, feet);
@@ -133,10 +133,10 @@ void FaceSplitter::lay_in_pole(const TopoDS_Edge& edge, int loop, int index) {
     const Vec2 at{uv[0] * trims_.scale[0], uv[1] * trims_.scale[1]};
     for (int turn = -2; turn <= 2; ++turn) {
       const PlanarFoot foot = nearest(pole.curve, at + static_cast<double>(turn) * trims_.period);
-      if (foot.distance <= kReach * tolerance_) splits_.add(pole.edge, foot.parameter, trims_.face);
+      if (foot.distance <= kReach * tolerance_) splits_.add(edge_of(pole), foot.parameter, face_);
     }
   };
-  const TopoDS_Vertex there = TopExp::FirstVertex(pole.edge);
+  const TopoDS_Vertex there = TopExp::FirstVertex(edge_of(pole));
   for (int i = splits_.count(edge) - 1; i >= 0; --i) {
     if (!splits_.are_one(splits_.vertex(edge, i), there)) continue;
     come(splits_.parameter(edge, i), range.from);
@@ -152,7 +152,7 @@ FaceSplitter::LaidCurve FaceSplitter::laid_curve(const TopoDS_Edge& edge,
   const double allowed = std::max(kReach * tolerance_, BRep_Tool::Tolerance(edge));
   const ChartImage image = image_of(of.curve, range, feet, {}, allowed);
   of.image = image.chart;
-  of.tolerance = std::max(BRep_Tool::Tolerance(edge), kMargin * image.deviation);
+  of.tolerance = std::max(BRep_Tool::Tolerance(edge), kSampledMargin * image.deviation);
   of.chart = transformed(planar_curve(image.chart, range), trims_.scale, {});
   return of;
 }
@@ -161,7 +161,7 @@ FaceSplitter::LaidCurve FaceSplitter::laid_curve(const TopoDS_Edge& edge,
 TopoDS_Edge FaceSplitter::laid_edge(const EdgePiece& piece, const LaidCurve& of,
                                     const Vec2& shift) const {
   TopLoc_Location location;
-  const Handle(Geom_Surface) raw = BRep_Tool::Surface(trims_.face, location);
+  const Handle(Geom_Surface) raw = BRep_Tool::Surface(face_, location);
   const gp_Vec2d move(shift[0] / trims_.scale[0], shift[1] / trims_.scale[1]);
   const BRep_Builder builder;
   TopoDS_Edge edge;

@@ -17,8 +17,8 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/convert/pcurves.h"
-#include "adapters/occt/splitting/edges/limits.h"
 #include "adapters/occt/splitting/face_splitter.h"
+#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {
@@ -56,8 +56,8 @@ TopoDS_Face without_wires(const TopoDS_Face& face) {
 
 void cover(const TopoDS_Vertex& vertex, const gp_Pnt& point, double edge_tolerance) {
   const double gap = BRep_Tool::Pnt(vertex).Distance(point);
-  BRep_Builder().UpdateVertex(vertex,
-                              std::max({Precision::Confusion(), kMargin * gap, edge_tolerance}));
+  BRep_Builder().UpdateVertex(
+      vertex, std::max({Precision::Confusion(), kSampledMargin * gap, edge_tolerance}));
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ const TopoDS_Vertex& FaceSplitter::shape_of(int vertex, const LiftedCut& lifted_
   Vertex& of = vertices_[static_cast<std::size_t>(vertex)];
   if (!of.shape.IsNull()) return of.shape;
   if (of.split >= 0)
-    of.shape = splits_.vertex(coedge(of.loop, of.coedge).edge, of.split);
+    of.shape = splits_.vertex(edge_of(coedge(of.loop, of.coedge)), of.split);
   else
     BRep_Builder().MakeVertex(
         of.shape, pnt(space_point(cuts_[static_cast<std::size_t>(lifted_cut.cut)], parameter)),
@@ -83,7 +83,7 @@ Handle(Geom2d_Curve) FaceSplitter::chart_of(const TopoDS_Edge& edge,
                                             const LiftedCut& lifted_cut) const {
   const FaceCut& cut = cuts_[static_cast<std::size_t>(lifted_cut.cut)];
   if (cut.conic)
-    if (Handle(Geom2d_Curve) flat = plane_curve_of(edge, trims_.face); !flat.IsNull()) return flat;
+    if (Handle(Geom2d_Curve) flat = plane_curve_of(edge, face_); !flat.IsNull()) return flat;
   Spline2 chart = cut.chart;
   const Vec2 shift{lifted_cut.shift[0] / trims_.scale[0], lifted_cut.shift[1] / trims_.scale[1]};
   for (Vec2& point : chart.points) point += shift;
@@ -93,7 +93,7 @@ Handle(Geom2d_Curve) FaceSplitter::chart_of(const TopoDS_Edge& edge,
 // In a plane a conic is itself, in fewer spans than its spline.
 PlanarCurve FaceSplitter::chart_of(const FaceCut& cut) const {
   if (cut.conic)
-    if (const auto flat = plane_curve_of(to_occt(*cut.conic), trims_.face); !flat.IsNull())
+    if (const auto flat = plane_curve_of(to_occt(*cut.conic), face_); !flat.IsNull())
       return transformed(planar_curve(flat, cut.chart.domain()), trims_.scale, {});
   return chart_curve(trims_, cut.chart);
 }
@@ -103,10 +103,10 @@ TopoDS_Edge FaceSplitter::cut_edge(const LiftedCut& lifted_cut, const Interval& 
                                    int to) {
   const FaceCut& cut = cuts_[static_cast<std::size_t>(lifted_cut.cut)];
   TopLoc_Location location;
-  const Handle(Geom_Surface) raw = BRep_Tool::Surface(trims_.face, location);
+  const Handle(Geom_Surface) raw = BRep_Tool::Surface(face_, location);
   const double tolerance =
       std::max({Precision::Confusion(), cut.tolerance,
-                kMargin * deviation(cut, BRep_Tool::Surface(trims_.face), range)});
+                kSampledMargin * deviation(cut, BRep_Tool::Surface(face_), range)});
   const BRep_Builder builder;
   TopoDS_Edge edge;
   const Handle(Geom_Curve) in_space = cut.conic ? to_occt(*cut.conic) : to_occt(cut.curve);
@@ -133,12 +133,12 @@ std::vector<CutUse> FaceSplitter::runs_along(int loop, int index, const EdgePiec
       const double high = std::max(run.edge_parameters.from, run.edge_parameters.to);
       const double middle = at(piece.range, 0.5);
       const Coedge& beside = coedge(run.loop, run.coedge);
-      if (!beside.edge.IsSame(of.edge) || middle < low || middle > high) continue;
+      if (beside.edge != of.edge || middle < low || middle > high) continue;
       const auto parameter = [&](double t) {
         return nearest(lifted_cut.curve, point_at(beside.curve, at(piece.range, t))).parameter;
       };
       Interval along{parameter(0.25), parameter(0.75)};
-      if (of.reversed()) std::swap(along.from, along.to);
+      if (of.reversed) std::swap(along.from, along.to);
       uses.push_back({lifted_cut.cut, along, {}, true});
     }
   return uses;
@@ -149,22 +149,23 @@ void FaceSplitter::add_border_arc(int loop, int index, const EdgePiece& piece) {
   Interval range = piece.range;
   int from = vertex_at_split(loop, index, piece.from);
   int to = vertex_at_split(loop, index, piece.to);
-  if (of.reversed()) {
+  if (of.reversed) {
     std::swap(range.from, range.to);
     std::swap(from, to);
   }
   PlanarPath path = bezier_pieces(of.curve, range);
   if (path.empty()) return;
   arcs_.push_back({from, to, std::move(path), true});
-  const TopoDS_Edge edge = TopoDS::Edge(piece.edge.Oriented(of.edge.Orientation()));
+  const TopoDS_Edge edge =
+      TopoDS::Edge(piece.edge.Oriented(of.reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
   origins_.push_back({edge, runs_along(loop, index, piece), -1, loop});
 }
 
 void FaceSplitter::add_border_arcs() {
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
-      std::vector<EdgePiece> along = splits_.pieces(trims_.loops[loop][i].edge);
-      if (trims_.loops[loop][i].reversed()) std::reverse(along.begin(), along.end());
+      std::vector<EdgePiece> along = splits_.pieces(edge_of(trims_.loops[loop][i]));
+      if (trims_.loops[loop][i].reversed) std::reverse(along.begin(), along.end());
       for (const EdgePiece& piece : along)
         add_border_arc(static_cast<int>(loop), static_cast<int>(i), piece);
     }
@@ -351,7 +352,7 @@ FaceSplit FaceSplitter::divided(const ChartPieces& found, OpenCuts open) {
 FaceSplit FaceSplitter::undivided(const std::vector<int>& imprinted) {
   const auto any_split = [&](const std::vector<Coedge>& loop) {
     return std::any_of(loop.begin(), loop.end(),
-                       [&](const Coedge& of) { return splits_.is_split(of.edge); });
+                       [&](const Coedge& of) { return splits_.is_split(edge_of(of)); });
   };
   const bool only_own = std::all_of(imprinted.begin(), imprinted.end(), [&](int arc) {
     return origins_[static_cast<std::size_t>(arc)].lifted_cut < 0;

@@ -9,14 +9,14 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include <BRep_Tool.hxx>
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 
 #include "adapters/occt/base/shared_limit.h"
-#include "adapters/occt/splitting/cut_crossings.h"
-#include "adapters/occt/splitting/edges/limits.h"
+#include "core/plane/cut_crossings.h"
+#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {
@@ -44,23 +44,21 @@ bool keeps_near(const PlanarCurve& curve, const Vec2& point, double s, double t,
 // the vertex meets them all. Not at edges that the face uses twice: their two sides lie in one
 // place and stay apart by their corners alone.
 void join_corners(FaceTrims& trims, double tolerance) {
-  std::vector<TopoDS_Vertex> shapes(trims.corners.size());
+  std::vector<int> vertices(trims.corners.size());
   std::vector<bool> apart(trims.corners.size());
-  TopTools_IndexedMapOfShape edges;
+  std::set<int> edges;
   for (auto& loop : trims.loops)
     for (const Coedge& of : loop) {
-      const int count = edges.Extent();
-      const bool twice = edges.Add(of.edge) <= count;
+      const bool twice = !edges.insert(of.edge).second;
       if (twice)
         apart[static_cast<std::size_t>(of.from)] = apart[static_cast<std::size_t>(of.to)] = true;
-      shapes[static_cast<std::size_t>(of.from)] =
-          of.reversed() ? TopExp::LastVertex(of.edge) : TopExp::FirstVertex(of.edge);
+      vertices[static_cast<std::size_t>(of.from)] = of.start;
     }
   std::vector<int> kept(trims.corners.size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
     kept[i] = static_cast<int>(i);
     for (std::size_t k = 0; k < i && !apart[i]; ++k)
-      if (!apart[k] && shapes[k].IsSame(shapes[i]) &&
+      if (!apart[k] && vertices[k] == vertices[i] &&
           distance(trims.corners[k], trims.corners[i]) <= tolerance) {
         kept[i] = kept[k];
         break;
@@ -84,7 +82,9 @@ bool FaceSplitter::is_near(const PlanarCurve& curve, double s, double t, double 
 FaceSplitter::FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, EdgeSplits& splits,
                            double tolerance, const WorkLimit* limit)
     : given_(face),
+      face_(TopoDS::Face(face.Oriented(TopAbs_FORWARD))),
       trims_(face_trims(face)),
+      shapes_(trim_shapes(face)),
       cuts_(std::move(cuts)),
       splits_(splits),
       tolerance_(tolerance),
@@ -97,7 +97,7 @@ FaceSplitter::FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, E
       Vertex& start = vertices_[static_cast<std::size_t>(of.from)];
       start.loop = static_cast<int>(loop);
       start.coedge = static_cast<int>(i);
-      start.split = of.reversed() ? EdgeSplits::kLast : EdgeSplits::kFirst;
+      start.split = of.reversed ? EdgeSplits::kLast : EdgeSplits::kFirst;
     }
   add_lifted_cuts();
   for (LiftedCut& lifted_cut : lifted_cuts_) add_wire_stops(lifted_cut);
@@ -139,13 +139,13 @@ void FaceSplitter::add_lifted_cuts() {
 int FaceSplitter::vertex_at_split(int loop, int index, int split) {
   if (loop == inner_loop()) return inner_vertex(index, split);
   const Coedge& of = coedge(loop, index);
-  if (split == EdgeSplits::kFirst) return of.reversed() ? of.to : of.from;
-  if (split == EdgeSplits::kLast) return of.reversed() ? of.from : of.to;
+  if (split == EdgeSplits::kFirst) return of.reversed ? of.to : of.from;
+  if (split == EdgeSplits::kLast) return of.reversed ? of.from : of.to;
   const auto known = std::find_if(vertices_.begin(), vertices_.end(), [&](const Vertex& vertex) {
     return vertex.loop == loop && vertex.coedge == index && vertex.split == split;
   });
   if (known != vertices_.end()) return static_cast<int>(known - vertices_.begin());
-  const Vec2 point = point_at(of.curve, splits_.parameter(of.edge, split));
+  const Vec2 point = point_at(of.curve, splits_.parameter(edge_of(of), split));
   vertices_.push_back({point, loop, index, split});
   return static_cast<int>(vertices_.size()) - 1;
 }
@@ -154,7 +154,7 @@ int FaceSplitter::vertex_of(const TrimMeeting& meeting, double uncertainty, doub
   const Coedge& of = coedge(meeting.loop, meeting.coedge);
   return vertex_at_split(
       meeting.loop, meeting.coedge,
-      splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty, inverse_sine));
+      splits_.add(edge_of(of), meeting.edge_parameter, face_, uncertainty, inverse_sine));
 }
 
 // The vertex of a touch is to cover the places in which cut and edge cross beside it.
@@ -166,7 +166,7 @@ void FaceSplitter::widen_touch(const LiftedCut& lifted_cut, const TrimMeeting& m
   const Vec3 point = point_at(curve, meeting.at);
   const double reach = std::max(distance(point, point_at(curve, meeting.touch.from)),
                                 distance(point, point_at(curve, meeting.touch.to)));
-  splits_.widen(coedge(at.loop, at.coedge).edge, at.split, kMargin * reach);
+  splits_.widen(edge_of(coedge(at.loop, at.coedge)), at.split, kSampledMargin * reach);
 }
 
 // How many times farther along the wire than across it neighbours may see the same crossing: where
@@ -186,16 +186,16 @@ double FaceSplitter::inverse_sine(const LiftedCut& lifted_cut, const TrimMeeting
 // meeting beside that, meets it in the vertex alone; from what a face asked for, within tolerance.
 bool FaceSplitter::add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meeting) {
   const Coedge& of = coedge(meeting.loop, meeting.coedge);
-  if (BRep_Tool::Degenerated(of.edge)) return false;
+  if (of.degenerated) return false;
   const double least_sine = cuts_[static_cast<std::size_t>(lifted_cut.cut)].least_sine;
   const double allowed = reach(lifted_cut) / std::max(least_sine, 1 / kMaxDisagreement);
   const Vec2 met = point_at(lifted_cut.curve, meeting.at);
   std::optional<PlanarFoot> best;
   int known = -1;
-  for (int split = 0; split < splits_.count(of.edge); ++split) {
-    const bool is_known = splits_.is_known(of.edge, split);
+  for (int split = 0; split < splits_.count(edge_of(of)); ++split) {
+    const bool is_known = splits_.is_known(edge_of(of), split);
     const double most = is_known ? allowed : reach(lifted_cut);
-    const Vec2 point = point_at(of.curve, splits_.parameter(of.edge, split));
+    const Vec2 point = point_at(of.curve, splits_.parameter(edge_of(of), split));
     const double length = distance(point, met);
     if (length > tangency_length(trims_, reach(lifted_cut))) continue;
     const PlanarFoot foot = nearest(lifted_cut.curve, point);
@@ -217,15 +217,15 @@ bool FaceSplitter::add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meet
   if (meeting.at == domain.from || meeting.at == domain.to) {  // no loose end stays there
     lifted_cut.stops.emplace_back(meeting.at, vertex);
     Vertex& at = vertices_[static_cast<std::size_t>(vertex)];
-    at.uncertainty = std::max(at.uncertainty, kMargin * distance(at.point, met));
+    at.uncertainty = std::max(at.uncertainty, kSampledMargin * distance(at.point, met));
   }
-  const gp_Pnt place = BRep_Tool::Pnt(splits_.vertex(of.edge, known));
+  const gp_Pnt place = BRep_Tool::Pnt(splits_.vertex(edge_of(of), known));
   double moved = 0;
   for (const double t : {meeting.at, meeting.touch.from, meeting.touch.to}) {
     const Vec3 from = point_at(cuts_[static_cast<std::size_t>(lifted_cut.cut)].curve, t);
     moved = std::max(moved, distance(from, Vec3{place.X(), place.Y(), place.Z()}));
   }
-  if (moved > reach(lifted_cut)) splits_.widen(of.edge, known, kMargin * moved);
+  if (moved > reach(lifted_cut)) splits_.widen(edge_of(of), known, kSampledMargin * moved);
   return true;
 }
 
@@ -255,8 +255,8 @@ void FaceSplitter::add_end_stop(LiftedCut& lifted_cut, double end) {
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
       const Coedge& of = trims_.loops[loop][i];
       const PlanarFoot foot = nearest(of.curve, point);
-      const double allowed =
-          std::max(BRep_Tool::Tolerance(of.edge) + reach(lifted_cut), kMargin * trims_.overshoot);
+      const double allowed = std::max(BRep_Tool::Tolerance(edge_of(of)) + reach(lifted_cut),
+                                      kSampledMargin * trims_.overshoot);
       if (foot.distance >= least || foot.distance > allowed) continue;
       least = foot.distance;
       nearest_meeting = {
@@ -306,8 +306,9 @@ void FaceSplitter::add_crossings() {
         at.uncertainty = std::max(at.uncertainty, crossing.uncertainty);
         const Spline& curve = cuts_[static_cast<std::size_t>(a.cut)].curve;
         for (const double t : crossing.beside)
-          at.touch = std::max(at.touch, kMargin * distance(point_at(curve, crossing.a.front()),
-                                                           point_at(curve, t)));
+          at.touch = std::max(
+              at.touch,
+              kSampledMargin * distance(point_at(curve, crossing.a.front()), point_at(curve, t)));
         for (const double t : crossing.a) a.stops.emplace_back(t, node);
         for (const double t : crossing.b) b.stops.emplace_back(t, node);
       }

@@ -186,6 +186,7 @@ class FaceSplitter {
   int node_near(const Vec2& point, double reach = 0);
   double reach(const LiftedCut& lifted_cut) const;
   const Coedge& coedge(int loop, int index) const;
+  TopoDS_Edge edge_of(const Coedge& coedge) const { return shapes_.edge(coedge); }
   void note(int cut, const std::string& what);
 
   int inner_loop() const { return static_cast<int>(trims_.loops.size()); }
@@ -222,8 +223,9 @@ class FaceSplitter {
   bool adds_up(const ChartPieces& found) const;
   void add_wire(const Cycle& cycle, FacePiece& piece) const;
 
-  TopoDS_Face given_;
+  TopoDS_Face given_, face_;  // as it came, and turned forward
   FaceTrims trims_;
+  TrimShapes shapes_;  // what the trims count
   std::vector<FaceCut> cuts_;
   EdgeSplits& splits_;
   double tolerance_;

@@ -7,15 +7,15 @@
 
 #include <BRep_Tool.hxx>
 
-#include "adapters/occt/splitting/edges/limits.h"
 #include "adapters/occt/splitting/face_splitter.h"
+#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {
 
 double uncertainty_of(const CutStop& stop) {
   if (stop.vertex.IsNull()) return 0;
-  return std::max(kMargin * BRep_Tool::Tolerance(stop.vertex), stop.uncertainty);
+  return std::max(kSampledMargin * BRep_Tool::Tolerance(stop.vertex), stop.uncertainty);
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ std::vector<CutStop> FaceSplitter::stops(int cut) const {
       const bool border = at.split >= 0;
       found.push_back(
           {parameter,
-           border ? splits_.vertex(coedge(at.loop, at.coedge).edge, at.split) : TopoDS_Vertex(),
+           border ? splits_.vertex(edge_of(coedge(at.loop, at.coedge)), at.split) : TopoDS_Vertex(),
            at.uncertainty});
     }
   }
@@ -146,7 +146,7 @@ int FaceSplitter::border_vertex(const TopoDS_Vertex& other) {
   int found = -1;
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
-      const TopoDS_Edge& edge = trims_.loops[loop][i].edge;
+      const TopoDS_Edge& edge = edge_of(trims_.loops[loop][i]);
       for (int split = 0; split < splits_.count(edge); ++split) {
         if (!splits_.are_one(splits_.vertex(edge, split), other)) continue;
         const int vertex = vertex_at_split(static_cast<int>(loop), static_cast<int>(i), split);
@@ -177,8 +177,8 @@ void FaceSplitter::unite(int kept, int left) {
   if (kept == left || on_border(left)) return;
   Vertex& of = vertices_[static_cast<std::size_t>(kept)];
   const Vertex& other = vertices_[static_cast<std::size_t>(left)];
-  of.uncertainty =
-      std::max({of.uncertainty, other.uncertainty, kMargin * distance(of.point, other.point)});
+  of.uncertainty = std::max(
+      {of.uncertainty, other.uncertainty, kSampledMargin * distance(of.point, other.point)});
   of.touch = std::max(of.touch, other.touch);
   for (auto& tied : aliases_)
     if (tied.second == left) tied.second = kept;

@@ -85,6 +85,7 @@ class ShapeReader {
     const TopoDS_Face face = TopoDS::Face(faces_(static_cast<int>(f) + 1));
     ModelFace made;
     const FaceTrims trims = face_trims(face);
+    const TrimShapes shapes = trim_shapes(face);
     if (const auto chart = elementary_chart(BRep_Tool::Surface(face)))
       made.surface = *chart;
     else
@@ -92,7 +93,7 @@ class ShapeReader {
     made.chart = trimmed_chart(trims);
     for (const auto& loop : trims.loops)
       for (const Coedge& coedge : loop) {
-        made.edges.push_back(read_.edges.FindIndex(coedge.edge) - 1);
+        made.edges.push_back(read_.edges.FindIndex(shapes.edge(coedge)) - 1);
         const std::string& fault = edge_faults_[index(made.edges.back())];
         if (!fault.empty()) throw BadModel(fault);
       }

@@ -413,7 +413,7 @@ void BlendSheet::add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patc
     const Interval range{cuts[i].t, cuts[i + 1].t};
     const TopoDS_Edge edge = edge_on(contact.curve, range, cuts[i].vertex, cuts[i + 1].vertex);
     add_chart(edge, of.strip.contact_line(contact.w), patch.face);
-    add_chart(edge, chart_near_face(contact.chart, at(range, 0.5), body_.trims(contact.face)),
+    add_chart(edge, chart_near_face(contact.chart, at(range, 0.5), body_, contact.face),
               body_.face(contact.face));
     added_[contact.face].push_back(
         TopoDS::Edge(edge.Oriented(side == 0 ? TopAbs_FORWARD : TopAbs_REVERSED)));

@@ -131,7 +131,7 @@ TopoDS_Edge BlendSheet::wall_border(const EndCurve& down, const TopoDS_Vertex& c
                                     const TopoDS_Vertex& corner, bool on_left, int face) {
   const TopoDS_Edge edge = edge_on(down.curve, down.range, down.forward ? contact : corner,
                                    down.forward ? corner : contact);
-  add_chart(edge, chart_near_face(down.on_face, at(down.range, 0.5), body_.trims(face)),
+  add_chart(edge, chart_near_face(down.on_face, at(down.range, 0.5), body_, face),
             body_.face(face));
   const bool forward = down.forward == on_left;
   added_[face].push_back(TopoDS::Edge(edge.Oriented(forward ? TopAbs_REVERSED : TopAbs_FORWARD)));

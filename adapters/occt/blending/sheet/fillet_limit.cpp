@@ -23,7 +23,7 @@ constexpr int kSamples = 16;  // along a contact
 // border there is none: other borders say on which side a point is.
 ContactBorder border_of(const FaceTrims& trims, const Coedge& coedge, int support) {
   const Vec2 scale = trims.scale;
-  const bool reversed = coedge.reversed();
+  const bool reversed = coedge.reversed;
   return {support, [&coedge, scale, reversed](const Vec2& uv) {
             const Vec2 point{uv[0] * scale[0], uv[1] * scale[1]};
             const double foot = nearest(coedge.curve, point).parameter;

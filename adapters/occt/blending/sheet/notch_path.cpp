@@ -169,7 +169,7 @@ PathEdge BlendSheet::wall_edge(const PlacedStrip& of, std::size_t side, int face
   const TopoDS_Edge edge =
       edge_on(curve.curve, curve.range, curve.forward ? from : to, curve.forward ? to : from);
   add_chart(edge, curve.on_strip, of.strip.bare_face());
-  add_chart(edge, chart_near_face(curve.on_face, at(curve.range, 0.5), body_.trims(face)),
+  add_chart(edge, chart_near_face(curve.on_face, at(curve.range, 0.5), body_, face),
             body_.face(face));
   // The wall takes the place of the face along the contact.
   added_[face].push_back(

@@ -271,7 +271,7 @@ PathEdge BlendSheet::setback_edge(const SetbackSide& side, const FillBorder& bor
     return ends_strip({edge, border.along});
   }
   const TopoDS_Face& face = body_.face(side.face);
-  add_chart(edge, chart_near_face(chart, 0.5, body_.trims(side.face)), face);
+  add_chart(edge, chart_near_face(chart, 0.5, body_, side.face), face);
   added_[side.face].push_back(
       TopoDS::Edge(edge.Oriented(border.along ? TopAbs_REVERSED : TopAbs_FORWARD)));
   return {edge, border.along};

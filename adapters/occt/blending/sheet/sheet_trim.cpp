@@ -209,7 +209,8 @@ std::vector<TopoDS_Edge> Trimming::edges_left(int face) {
   for (const EdgeUseInFace& use : body_.uses(face)) {
     const auto kept = kept_.find(use.edge);
     if (kept == kept_.end()) {
-      edges.push_back(use.coedge->edge);
+      edges.push_back(TopoDS::Edge(
+          body_.edge(use.edge).Oriented(use.coedge->reversed ? TopAbs_REVERSED : TopAbs_FORWARD)));
       continue;
     }
     for (const EdgePiece& piece : kept->second)

@@ -118,7 +118,7 @@ BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyon
   const TopoDS_Vertex joined = new_vertex(place);
   const TopoDS_Edge border = wall_border(*down, joined, corner, on_left, contact.face);
   add_chart(TopoDS::Edge(border.Oriented(TopAbs_FORWARD)),
-            chart_near_face(down->on_strip, at(down->range, 0.5), body_.trims(beyond)),
+            chart_near_face(down->on_strip, at(down->range, 0.5), body_, beyond),
             body_.face(beyond));
   added_[beyond].push_back(border);
   border_.vertices.push_back(corner);
@@ -150,7 +150,7 @@ void BlendSheet::cap_face(const HalfEdge& half, const Interval& part, int face,
   const TopoDS_Edge edge =
       edge_on(curve->curve, curve->range, curve->forward ? from : to, curve->forward ? to : from);
   add_chart(edge, curve->on_strip, strip.bare_face());
-  add_chart(edge, chart_near_face(curve->on_face, at(curve->range, 0.5), body_.trims(face)),
+  add_chart(edge, chart_near_face(curve->on_face, at(curve->range, 0.5), body_, face),
             body_.face(face));
   // Seen from the vertex the face lies beyond the strip's end: it walks from right to left.
   added_[face].push_back(

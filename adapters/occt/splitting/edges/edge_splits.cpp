@@ -20,7 +20,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/splitting/edges/limits.h"
+#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {
@@ -49,11 +49,11 @@ void drop_polygons(const TopoDS_Edge& edge) {
 // gets a wider one where what lies between these samples may need it.
 void widen(const TopoDS_Edge& piece) {
   const double found = image_deviation(piece, kEdgeDeviationSamples);
-  if (kMargin * found > BRep_Tool::Tolerance(piece)) {
+  if (kSampledMargin * found > BRep_Tool::Tolerance(piece)) {
     const BRep_Builder builder;
-    builder.UpdateEdge(piece, kMargin * found);
-    builder.UpdateVertex(TopExp::FirstVertex(piece), kMargin * found);
-    builder.UpdateVertex(TopExp::LastVertex(piece), kMargin * found);
+    builder.UpdateEdge(piece, kSampledMargin * found);
+    builder.UpdateVertex(TopExp::FirstVertex(piece), kSampledMargin * found);
+    builder.UpdateVertex(TopExp::LastVertex(piece), kSampledMargin * found);
   }
 }
 
@@ -158,7 +158,7 @@ int EdgeSplits::add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face
       pole ? BRep_Tool::Pnt(of.splits[kFirst].vertex) : BRepAdaptor_Curve(of.edge).Value(parameter);
   if (const int known = blurred_split(of, parameter); known >= 0) {
     const TopoDS_Vertex& vertex = of.splits[static_cast<std::size_t>(known)].vertex;
-    widened_.emplace_back(vertex, kMargin * point.Distance(BRep_Tool::Pnt(vertex)));
+    widened_.emplace_back(vertex, kSampledMargin * point.Distance(BRep_Tool::Pnt(vertex)));
     return known;
   }
   int nearest = -1;

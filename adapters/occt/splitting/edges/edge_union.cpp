@@ -17,11 +17,12 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Pln.hxx>
 
 #include "adapters/occt/splitting/edges/edge_splits.h"
-#include "adapters/occt/splitting/edges/limits.h"
 #include "adapters/occt/splitting/edges/pole_edges.h"
 #include "core/math/interval.h"
+#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {
@@ -34,14 +35,14 @@ constexpr int kUnionSamples = 17;  // both have been measured alone
 // and its vertices off the curve, becomes their tolerance.
 void widen(const TopoDS_Edge& edge, double deviation) {
   const BRep_Builder builder;
-  const double off = kMargin * deviation;
+  const double off = kSampledMargin * deviation;
   if (off > BRep_Tool::Tolerance(edge)) builder.UpdateEdge(edge, off);
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
   if (curve.IsNull()) return;
   const auto cover = [&](const TopoDS_Vertex& vertex, double end) {
     const double gap = BRep_Tool::Pnt(vertex).Distance(curve->Value(end));
-    builder.UpdateVertex(vertex, std::max(BRep_Tool::Tolerance(edge), kMargin * gap));
+    builder.UpdateVertex(vertex, std::max(BRep_Tool::Tolerance(edge), kSampledMargin * gap));
   };
   cover(TopExp::FirstVertex(edge), range.from);
   cover(TopExp::LastVertex(edge), range.to);

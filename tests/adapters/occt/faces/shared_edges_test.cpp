@@ -26,6 +26,7 @@
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
 
@@ -107,8 +108,10 @@ TEST(SharedEdges, OfTwoHalvesIncludeTheOldSeam) {
   ASSERT_EQ(halves.size(), 2u);
   const std::vector<SharedEdge> edges = shared_edges(halves[0], halves[1]);
   ASSERT_EQ(edges.size(), 2u);
-  EXPECT_TRUE(std::ranges::any_of(
-      edges, [&](const SharedEdge& x) { return BRep_Tool::IsClosed(x.edge, halves[0]); }));
+  const TrimShapes shapes = trim_shapes(halves[0]);
+  EXPECT_TRUE(std::ranges::any_of(edges, [&](const SharedEdge& x) {
+    return BRep_Tool::IsClosed(TopoDS::Edge(shapes.edges(x.in_a + 1)), halves[0]);
+  }));
   for (const SharedEdge& edge : edges) {
     EXPECT_NEAR(edge.curve.length, 2, 1e-9);
     EXPECT_LT(edge.gap, 1e-9);

@@ -12,6 +12,7 @@
 #include <Geom_Surface.hxx>
 
 #include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/shapes.h"
 #include "core/forms/evaluation.h"
 #include "tests/support/models.h"

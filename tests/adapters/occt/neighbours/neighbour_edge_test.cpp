@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/neighbours/neighbour_edge.h"
+#include "core/neighbours/neighbour_edge.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/faces/face_data.h"
+#include "adapters/occt/faces/shared_edges.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {
@@ -26,22 +27,23 @@ class Rim : public ::testing::Test {
   Rim() {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(BRepPrimAPI_MakeCylinder(kRadius, 5).Shape(), TopAbs_FACE, faces);
-    side_ = face_data(TopoDS::Face(faces(1)), 1e-7);
-    top_ = face_data(TopoDS::Face(faces(2)), 1e-7);
-    edges_ = shared_edges(side_.trims.face, top_.trims.face);
+    const TopoDS_Face side = TopoDS::Face(faces(1)), top = TopoDS::Face(faces(2));
+    side_ = face_data(side, 1e-7);
+    top_ = face_data(top, 1e-7);
+    edges_ = shared_edges(side, top);
   }
 
-  static const Coedge& use(const FaceTrims& trims, const TopoDS_Edge& edge) {
+  static const Coedge& use(const FaceTrims& trims, int edge) {
     for (const auto& loop : trims.loops)
       for (const Coedge& coedge : loop)
-        if (coedge.edge.IsSame(edge)) return coedge;
+        if (coedge.edge == edge) return coedge;
     throw std::logic_error("the edge is not there");
   }
 
   // Whether the hull of two points beside the rim at angles is near it.
   bool is_near(double from, double to, double beside, double reach) const {
     const NeighbourEdge edge(side_.trims, top_.trims, edges_.at(0),
-                             use(side_.trims, edges_[0].edge), use(top_.trims, edges_[0].edge));
+                             use(side_.trims, edges_[0].in_a), use(top_.trims, edges_[0].in_b));
     const auto at = [&](double angle) {
       return Vec3{(kRadius + beside) * std::cos(angle), (kRadius + beside) * std::sin(angle), 5};
     };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Spans as narrow as an edge is exact do not keep a face from being decided.
 
-#include "adapters/occt/neighbours/sliver_spans.h"
+#include "core/neighbours/sliver_spans.h"
 
 #include <gtest/gtest.h>
 
@@ -23,6 +23,7 @@
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
 
+#include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/intersection.h"
 
 namespace blossom::occt {

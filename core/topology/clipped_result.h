@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the trims of two faces leave of an intersection of their surfaces.
+
+#pragma once
+
+#include <vector>
+
+#include "core/results/result.h"
+#include "core/topology/face_trims.h"
+
+namespace blossom {
+
+/// A contact of the trims, and how far what meets in it is apart there, model units.
+struct Touch {
+  SurfacePoint at;
+  double gap = 0;
+};
+
+/// Leaves of an intersection what lies inside the trims of both. Common regions of the surfaces
+/// stay among the places only, unless both faces are naturally bounded.
+/// b         null if everything of the second surface counts
+/// returns   where curves only touch the trims, or have parts too short for an edge in them; but
+///           for ends of curves and contacts of the result
+std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b,
+                        double tolerance = 0);
+
+/// Adds touches to the contacts of a result. Those within `within` are identified; what is farther
+/// apart is known within tolerance only, and so is the result.
+void add_touches(const std::vector<Touch>& touches, double tolerance, double within,
+                 SurfaceIntersection& found);
+
+/// Whether what runs along trims lies inside of them is known within tolerance only, and so is the
+/// result, unless it keeps within `within` of them, by samples: then it is identified with them.
+void weaken_along_trims(const FaceTrims& a, const FaceTrims& b, double within,
+                        SurfaceIntersection& found);
+
+/// The tolerance of an edge that a curve becomes, model units.
+double edge_tolerance(const Deviation& deviation);
+
+/// Sums of counts, the least of angles, all reasons.
+void add(Certificate& sum, const Certificate& one);
+
+}  // namespace blossom
