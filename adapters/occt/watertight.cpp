@@ -28,9 +28,9 @@
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/untrimmed.h"
+#include "adapters/occt/faces/watertight_faces.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/splitting/edges/edge_joins.h"
-#include "adapters/occt/watertight_faces.h"
 #include "core/math/index.h"
 
 namespace blossom::occt {

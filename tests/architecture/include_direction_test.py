@@ -19,7 +19,7 @@ CORE_ROOMS = """base math math/series forms forms/algebra blossom subdivision su
     surfaces/branches surfaces/search tracing surfaces/assembly surfaces/retry curves plane
     distance rays regions topology neighbours tessellation meshes watertight blending blending/fills blending/continuity
     blending/strips blending/balls""".split()
-OCCT_ROOMS = """base convert faces tessellation queries splitting/edges splitting coincidence solids
+OCCT_ROOMS = """base convert faces faces/pairs tessellation queries splitting/edges splitting coincidence solids
     repair exact exchange exchange/step documents blending blending/strips blending/sheet""".split()
 REPORT_ROOMS = "text models cuts queries blends".split()
 

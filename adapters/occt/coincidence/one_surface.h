@@ -7,7 +7,7 @@
 
 #include <TopoDS_Face.hxx>
 
-#include "adapters/occt/faces/shared_edges.h"
+#include "adapters/occt/faces/pairs/shared_edges.h"
 #include "core/base/work_limit.h"
 #include "core/results/result.h"
 

@@ -30,9 +30,9 @@
 #include <TopoDS_Shell.hxx>
 #include <gp_Trsf.hxx>
 
+#include "adapters/occt/faces/watertight_faces.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
-#include "adapters/occt/watertight_faces.h"
 #include "core/blossom/triangle_composition.h"
 #include "tests/adapters/occt/exchange/shapes_files.h"
 #include "tests/support/models.h"

@@ -13,7 +13,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/faces/face_data.h"
-#include "adapters/occt/faces/shared_edges.h"
+#include "adapters/occt/faces/pairs/shared_edges.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {

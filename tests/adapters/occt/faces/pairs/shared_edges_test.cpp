@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/faces/shared_edges.h"
+#include "adapters/occt/faces/pairs/shared_edges.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "adapters/occt/faces/face_list.h"
-#include "adapters/occt/faces/shared_edges.h"
+#include "adapters/occt/faces/pairs/shared_edges.h"
 #include "core/topology/face_match.h"
 
 namespace blossom::occt {

@@ -2,7 +2,7 @@
 // Models against copies of themselves: every face coincides with its copy and meets those of its
 // neighbours in the edges they share.
 
-#include "adapters/occt/faces/equal_faces.h"
+#include "adapters/occt/faces/pairs/equal_faces.h"
 
 #include <gtest/gtest.h>
 

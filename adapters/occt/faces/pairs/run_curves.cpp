@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/faces/run_curves.h"
+#include "adapters/occt/faces/pairs/run_curves.h"
 
 #include <algorithm>
 #include <cmath>

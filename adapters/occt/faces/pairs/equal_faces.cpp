@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/faces/equal_faces.h"
+#include "adapters/occt/faces/pairs/equal_faces.h"
 
 #include <cstddef>
 

@@ -5,7 +5,7 @@
 
 #include <TopoDS_Face.hxx>
 
-#include "adapters/occt/faces/edge_contacts.h"
+#include "adapters/occt/faces/pairs/edge_contacts.h"
 #include "core/results/result.h"
 
 namespace blossom::occt {

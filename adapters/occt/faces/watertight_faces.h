@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Watertight pieces as faces that share edges and vertices. For this folder only.
+// Watertight pieces as faces that share edges and vertices.
 
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/faces/edge_contacts.h"
+#include "adapters/occt/faces/pairs/edge_contacts.h"
 
 #include <algorithm>
 

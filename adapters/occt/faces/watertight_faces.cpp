@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/watertight_faces.h"
+#include "adapters/occt/faces/watertight_faces.h"
 
 #include <algorithm>
 #include <array>
