@@ -7,6 +7,7 @@
 #include <TopExp_Explorer.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/untrimmed.h"
 #include "core/base/errors.h"
 
