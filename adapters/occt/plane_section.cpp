@@ -2,6 +2,7 @@
 #include "adapters/occt/plane_section.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "adapters/occt/base/shared_limit.h"
@@ -10,6 +11,7 @@
 #include "adapters/occt/faces/face_list.h"
 #include "adapters/occt/queries/section_frame.h"
 #include "adapters/occt/queries/section_nodes.h"
+#include "adapters/occt/queries/section_sides.h"
 #include "adapters/occt/queries/section_wires.h"
 #include "core/base/parallel.h"
 #include "core/surface_intersection.h"
@@ -18,6 +20,21 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kFar = 1e-2;  // of a curve's length: where it ends off all edges, the nearest node
+
+// How far from a point of an intersection that may be which it stands for: as far as the place of a
+// contact goes that holds it.
+double reach_of(const Vec3& point, const SurfaceIntersection& found) {
+  constexpr std::array kContacts{PlaceKind::Touch, PlaceKind::Node, PlaceKind::Cusp,
+                                 PlaceKind::Pole};
+  double reach = 0;
+  for (const Place& place : found.places) {
+    const Box box{place.box_low, place.box_high};
+    if (std::ranges::find(kContacts, place.kind) == kContacts.end() || !meet(box, {point, point}))
+      continue;
+    for (const Vec3& corner : {box.low, box.high}) reach = std::max(reach, distance(corner, point));
+  }
+  return reach;
+}
 
 class FaceSections {
  public:
@@ -37,6 +54,7 @@ class FaceSections {
       if (searched_[i]) add_face(i, found[i], nodes);
     nodes.join_free_ends();
     section_.points = nodes.lone_nodes();
+    find_bounding_curves(faces_, asked_, in_plane_, frame_.normal(), section_);
     chain_wires(section_, frame_.normal());
     return std::move(section_);
   }
@@ -45,6 +63,7 @@ class FaceSections {
   void prepare() {
     asked_.assign(faces_.size(), 0);
     searched_.assign(faces_.size(), 0);
+    in_plane_.assign(faces_.size(), 0);
     std::vector<char> near(faces_.size());
     for (std::size_t i = 0; i < faces_.size(); ++i)
       near[i] = !heights_of(faces_.hull(i), frame_).apart(tolerance_);
@@ -54,7 +73,8 @@ class FaceSections {
       const Heights heights = heights_of(faces_.data(i).surface, frame_);
       if (heights.apart(tolerance_)) continue;
       asked_[i] = 1;
-      searched_[i] = !heights.within(tolerance_);
+      in_plane_[i] = heights.within(tolerance_);
+      searched_[i] = !in_plane_[i];
       if (searched_[i])
         ++section_.faces_searched;
       else
@@ -77,13 +97,16 @@ class FaceSections {
     add(section_.certificate, found.certificate);
     // First where curves end that end on no edge.
     for (const auto* contacts : {&found.points, &found.nodes})
-      for (const SurfacePoint& contact : *contacts) nodes.contact_node(i, contact.point);
+      for (const SurfacePoint& contact : *contacts)
+        nodes.contact_node(i, contact.point, reach_of(contact.point, found));
     for (const Place& place : found.places) section_.places.push_back({static_cast<int>(i), place});
     for (const IntersectionCurve& curve : found.curves)
-      if (!nodes.runs_along_edge(i, curve.samples)) add_curve(i, curve, nodes);
+      for (const IntersectionCurve& part : curve_parts(curve, nodes.beside_edges(i, curve)))
+        add_curve(i, part, found, nodes);
   }
 
-  void add_curve(std::size_t face, const IntersectionCurve& found, SectionNodes& nodes) {
+  void add_curve(std::size_t face, const IntersectionCurve& found,
+                 const SurfaceIntersection& of_face, SectionNodes& nodes) {
     const EdgeCurves curves = edge_curves(found);
     const Deviation& d = found.deviation;
     SectionCurve curve;
@@ -101,8 +124,11 @@ class FaceSections {
     for (const SurfacePoint& x : found.samples) curve.samples.push_back(x.point);
     const double far = kFar * curve.length;
     if (!found.closed)
-      curve.nodes = {nodes.end_node(face, curve.samples.front(), curve.tolerance, far),
-                     nodes.end_node(face, curve.samples.back(), curve.tolerance, far)};
+      for (const std::size_t side : {0, 1}) {
+        const Vec3& end = side == 0 ? curve.samples.front() : curve.samples.back();
+        const double reach = std::max(curve.tolerance, reach_of(end, of_face));
+        curve.nodes[side] = nodes.end_node(face, end, reach, far);
+      }
     section_.curves.push_back(std::move(curve));
   }
 
@@ -111,8 +137,9 @@ class FaceSections {
   const SharedLimit limit_{options_};
   double tolerance_;
   FaceList& faces_;
-  std::vector<char> asked_;     // faces that may have a point in the plane
-  std::vector<char> searched_;  // but for those that lie in it
+  std::vector<char> asked_;  // faces that may have a point in the plane
+  std::vector<char> in_plane_;
+  std::vector<char> searched_;  // asked but not in the plane
   PlaneSection section_;
 };
 
@@ -125,7 +152,7 @@ PlaneSection plane_section(const std::vector<TopoDS_Face>& faces, const Plane& p
 
 struct SectionedFaces::Impl {
   Impl(std::vector<TopoDS_Face> all, double tolerance)
-      : faces(std::move(all)), list(faces, "", tolerance, Extent::Trims) {}
+      : faces(std::move(all)), list(faces, "", tolerance, Extent::Trims, ArcCuts::Shifted) {}
 
   std::vector<TopoDS_Face> faces;
   FaceList list;

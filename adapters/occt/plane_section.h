@@ -46,6 +46,8 @@ struct SectionCurve {
   std::vector<Vec3> samples;           ///< in order, from the first node to the second
   bool closed = false;
   bool tangential = false;
+  bool bounding = true;  ///< whether it bounds what plane and solid have in common: not where the
+                         ///< solid only touches the plane, or lies on both sides of the curve
   double length = 0;     ///< model units
   double tolerance = 0;  ///< for an edge made of it, model units
   double deviation = 0;  ///< from face and plane, and of the chart curve's image; along an edge: 0
@@ -61,7 +63,8 @@ struct CurveUse {
 struct SectionWire {
   std::vector<CurveUse> uses;
   bool closed = false;
-  double length = 0;  ///< model units
+  double length = 0;     ///< model units
+  bool bounding = true;  ///< as its curves, all or none
 };
 
 struct SectionPlace {
@@ -88,6 +91,9 @@ struct PlaneSection {
 ///   (3) an edge in the plane is one curve, however many faces have it
 ///   (4) a curve that ends on an edge ends in the node in which that edge meets the plane, which is
 ///       found once for all its faces
+///   (5) closed wires that bound are the border of what the plane and a solid have in common, with
+///       faces in the plane; what the plane only touches, or what lies inside, are wires of their
+///       own
 ///
 /// throws   BadModel if the normal is zero or a number is not finite, or if a face cannot be
 ///          converted; the message has the face's place in the list
@@ -114,7 +120,7 @@ class SectionedFaces {
 };
 
 /// Turns closed wires so that, seen from the tip of the normal, outer ones run counter-clockwise
-/// and holes clockwise: those inside of an odd number of others. By polygons of samples.
+/// and holes clockwise: those inside of an odd number of others that bound. By polygons of samples.
 void orient_wires(PlaneSection& section, const Plane& plane);
 
 /// A wire of edges for each wire, which share their vertices, and a vertex for each point.

@@ -104,28 +104,6 @@ IntersectionCurve appended(IntersectionCurve first, const IntersectionCurve& sec
   return first;
 }
 
-void clip(const IntersectionCurve& whole, const std::vector<Interval>& parts,
-          std::vector<IntersectionCurve>& result) {
-  const Interval domain = whole.curve.domain();
-  if (parts.empty()) return;
-  if (parts.size() == 1 && parts[0] == domain) {
-    result.push_back(whole);
-    return;
-  }
-  std::vector<IntersectionCurve> curves;
-  for (const Interval& part : parts) curves.push_back(part_of(whole, part));
-  // Only where the charts close too: a curve round a period ends on the seam.
-  const bool charts_close = whole.closed &&
-                            distance(whole.samples.front().uv_a, whole.samples.back().uv_a) == 0 &&
-                            distance(whole.samples.front().uv_b, whole.samples.back().uv_b) == 0;
-  if (charts_close && curves.size() > 1 && parts.front().from == domain.from &&
-      parts.back().to == domain.to) {
-    curves.front() = appended(std::move(curves.back()), curves.front());
-    curves.pop_back();
-  }
-  for (IntersectionCurve& curve : curves) result.push_back(in_first_turn(std::move(curve)));
-}
-
 // Whether a part of a curve keeps to a wire, and is no longer than what touches it may be.
 bool only_touches(const FaceTrims& trims, double length, const Vec2& middle, double tolerance) {
   return length <= tangency_length(trims, tolerance) && border_at(trims, middle).has_value();
@@ -215,6 +193,26 @@ double edge_tolerance(const Deviation& d) {
   return std::max(kMinEdgeTolerance, kEdgeMargin * std::max({d.a, d.b, d.between}));
 }
 
+std::vector<IntersectionCurve> curve_parts(const IntersectionCurve& whole,
+                                           const std::vector<Interval>& parts) {
+  const Interval domain = whole.curve.domain();
+  if (parts.empty()) return {};
+  if (parts.size() == 1 && parts[0] == domain) return {whole};
+  std::vector<IntersectionCurve> curves;
+  for (const Interval& part : parts) curves.push_back(part_of(whole, part));
+  // Only where the charts close too: a curve round a period ends on the seam.
+  const bool charts_close = whole.closed &&
+                            distance(whole.samples.front().uv_a, whole.samples.back().uv_a) == 0 &&
+                            distance(whole.samples.front().uv_b, whole.samples.back().uv_b) == 0;
+  if (charts_close && curves.size() > 1 && parts.front().from == domain.from &&
+      parts.back().to == domain.to) {
+    curves.front() = appended(std::move(curves.back()), curves.front());
+    curves.pop_back();
+  }
+  for (IntersectionCurve& curve : curves) curve = in_first_turn(std::move(curve));
+  return curves;
+}
+
 std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b,
                         double tolerance) {
   std::vector<IntersectionCurve> curves;
@@ -223,7 +221,7 @@ std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const Fa
     std::vector<Interval> parts = clip_to_trims(a, curve.chart_a, tolerance);
     if (b != nullptr) parts = common(curve, parts, clip_to_trims(*b, curve.chart_b, tolerance));
     move_short_parts(curve, a, b, parts, touches);
-    clip(curve, parts, curves);
+    for (IntersectionCurve& part : curve_parts(curve, parts)) curves.push_back(std::move(part));
   }
   found.curves = std::move(curves);
   const auto outside = [&](const SurfacePoint& p) {

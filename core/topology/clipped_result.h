@@ -16,6 +16,10 @@ struct Touch {
   double gap = 0;
 };
 
+/// A curve on intervals of its parameter, in order; the last part of a loop and its first are one.
+std::vector<IntersectionCurve> curve_parts(const IntersectionCurve& whole,
+                                           const std::vector<Interval>& parts);
+
 /// Leaves of an intersection what lies inside the trims of both. Common regions of the surfaces
 /// stay among the places only, unless both faces are naturally bounded.
 /// b         null if everything of the second surface counts

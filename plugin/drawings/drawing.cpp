@@ -82,7 +82,7 @@ DrawingFrame::DrawingFrame(const occt::Plane& plane) : normal(unit(plane.normal)
 DrawnPart drawn(const occt::PlaneSection& section, const DrawingFrame& frame, double deviation) {
   DrawnPart part;
   for (const occt::SectionWire& wire : section.wires) {
-    DrawnWire made{.strokes = {}, .closed = wire.closed};
+    DrawnWire made{.strokes = {}, .closed = wire.closed, .bounding = wire.bounding};
     for (const occt::CurveUse& use : wire.uses) {
       Stroke stroke = forward_stroke(section.curves[use.curve], frame, deviation);
       made.strokes.push_back(use.forward ? std::move(stroke) : reversed(std::move(stroke)));

@@ -27,11 +27,12 @@ struct Stroke {
 struct DrawnWire {
   std::vector<Stroke> strokes;
   bool closed = false;
+  bool bounding = true;  ///< false: it lies inside, or the plane only touches there
 };
 
 struct DrawnPart {
   std::string name;
-  bool solid = false;  ///< its closed wires bound material
+  bool solid = false;  ///< its closed bounding wires bound material
   std::vector<DrawnWire> wires{};
   std::vector<Vec2> points{};  ///< where it only touches the plane
 };

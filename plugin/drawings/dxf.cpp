@@ -72,22 +72,33 @@ bool has_several_parts(const std::vector<DrawnPlane>& planes) {
   return names.size() > 1;
 }
 
-// One for each part of each plane.
-std::vector<std::vector<DxfLayer>> layers_of(const std::vector<DrawnPlane>& planes) {
+// Those of a part; what does not bound it, a plotter or a saw must not follow.
+struct PartLayers {
+  DxfLayer outline, inner;  // without a name: not needed
+};
+
+bool has_inner_wires(const DrawnPart& part) {
+  return !std::ranges::all_of(part.wires, &DrawnWire::bounding);
+}
+
+// One for each part of each plane, and one for its inner wires if it has any.
+std::vector<std::vector<PartLayers>> layers_of(const std::vector<DrawnPlane>& planes) {
   const bool several = has_several_parts(planes);
   std::set<std::string> known{"0"};
   std::vector<std::string> parts;  // in the order of their colours
-  std::vector<std::vector<DxfLayer>> layers;
+  std::vector<std::vector<PartLayers>> layers;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    std::vector<DxfLayer>& own = layers.emplace_back();
+    std::vector<PartLayers>& own = layers.emplace_back();
     const std::string plane = "PLANE_" + std::to_string(i + 1);
     const std::string common = several ? "" : layer_name(plane, known);
     for (const DrawnPart& part : planes[i].parts) {
-      std::size_t colour = 0;
-      while (colour < parts.size() && parts[colour] != part.name) ++colour;
-      if (colour == parts.size()) parts.push_back(part.name);
-      own.push_back({several ? layer_name(plane + "-" + part.name, known) : common,
-                     kColourNumbers[colour % kColourNumbers.size()]});
+      std::size_t place = 0;
+      while (place < parts.size() && parts[place] != part.name) ++place;
+      if (place == parts.size()) parts.push_back(part.name);
+      const int colour = kColourNumbers[place % kColourNumbers.size()];
+      const std::string outline = several ? layer_name(plane + "-" + part.name, known) : common;
+      const std::string inner = has_inner_wires(part) ? layer_name(outline + "-inner", known) : "";
+      own.push_back({{outline, colour}, {inner, colour}});
     }
   }
   return layers;
@@ -107,11 +118,13 @@ void add_head(const DrawingBox& box, DxfLines& lines) {
   lines.add(0, std::string("ENDSEC"));
 }
 
-void add_tables(const std::vector<std::vector<DxfLayer>>& layers, DxfLines& lines) {
+void add_tables(const std::vector<std::vector<PartLayers>>& layers, DxfLines& lines) {
   std::vector<DxfLayer> all{{"0", 7}};
+  std::set<std::string> known{""};  // an outline's layer may be that of several parts
   for (const auto& of_plane : layers)
-    for (const DxfLayer& layer : of_plane)
-      if (layer.name != all.back().name) all.push_back(layer);
+    for (const PartLayers& of_part : of_plane)
+      for (const DxfLayer& layer : {of_part.outline, of_part.inner})
+        if (known.insert(layer.name).second) all.push_back(layer);
   lines.add(0, std::string("SECTION"));
   lines.add(2, std::string("TABLES"));
   lines.add(0, std::string("TABLE"));
@@ -187,7 +200,7 @@ void add_stroke(const Stroke& stroke, double z, const DxfLayer& layer, DxfLines&
 std::string dxf_text(const std::vector<DrawnPlane>& planes) {
   DrawingBox box;
   for (const DrawnPlane& plane : planes) box.add(plane);
-  const std::vector<std::vector<DxfLayer>> layers = layers_of(planes);
+  const std::vector<std::vector<PartLayers>> layers = layers_of(planes);
   DxfLines lines;
   add_head(box, lines);
   add_tables(layers, lines);
@@ -196,10 +209,10 @@ std::string dxf_text(const std::vector<DrawnPlane>& planes) {
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (std::size_t k = 0; k < planes[i].parts.size(); ++k) {
       const DrawnPart& part = planes[i].parts[k];
-      const DxfLayer& layer = layers[i][k];
+      const auto& [layer, inner] = layers[i][k];
       for (const DrawnWire& wire : part.wires)
         for (const Stroke& stroke : wire.strokes)
-          add_stroke(stroke, planes[i].elevation, layer, lines);
+          add_stroke(stroke, planes[i].elevation, wire.bounding ? layer : inner, lines);
       for (const Vec2& point : part.points) {
         lines.add_entity("POINT", layer);
         lines.add_point(10, point, planes[i].elevation);

@@ -110,14 +110,18 @@ std::string path_of(const DrawnWire& wire) {
 std::string part_text(const DrawnPart& part, const Sheet& sheet) {
   const auto number =
       static_cast<std::size_t>(std::ranges::find(sheet.parts, part.name) - sheet.parts.begin());
-  std::string closed, open;
-  for (const DrawnWire& wire : part.wires) (wire.closed ? closed : open) += path_of(wire);
+  std::string closed, open, inner;
+  for (const DrawnWire& wire : part.wires)
+    (!wire.bounding ? inner : wire.closed ? closed : open) += path_of(wire);
   std::string text = "<g stroke=\"" + std::string(kColours[number % kColours.size()]) + "\">";
   text += "<title>" + escaped(part.name) + "</title>";
   const std::string fill = part.solid ? "url(#hatch-" + std::to_string(number + 1) + ")" : "none";
   if (!closed.empty())
     text += "<path fill=\"" + fill + "\" fill-rule=\"evenodd\" d=\"" + closed + "\"/>";
   if (!open.empty()) text += "<path fill=\"none\" d=\"" + open + "\"/>";
+  if (!inner.empty())
+    text += "<path fill=\"none\" stroke-dasharray=\"" + num(4 * sheet.line) + "\" d=\"" + inner +
+            "\"/>";
   for (const Vec2& point : part.points)
     text += "<circle cx=\"" + place(point[0]) + "\" cy=\"" + place(-point[1]) + "\" r=\"" +
             num(2 * sheet.line) + "\"/>";

@@ -13,6 +13,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/curve_queries.h"
 
 namespace blossom::occt {
@@ -26,6 +27,10 @@ double distance_to(const SectionCurve& curve, const Vec3& p) {
   const GeomAPI_ProjectPointOnCurve foot(pnt(p), curve.curve, curve.range.from, curve.range.to);
   if (foot.NbPoints() > 0) least = std::min(least, foot.LowerDistance());
   return least;
+}
+
+double reach_of(const SectionCurve& edge, double tolerance) {
+  return kAlongReach * std::max(tolerance, edge.tolerance);
 }
 
 SectionCurve curve_of(std::size_t face, const TopoDS_Edge& edge, const Heights& heights) {
@@ -197,12 +202,12 @@ int SectionNodes::end_node(std::size_t face, const Vec3& point, double reach, do
   return nodes_of_[face].back();
 }
 
-int SectionNodes::contact_node(std::size_t face, const Vec3& point) {
+int SectionNodes::contact_node(std::size_t face, const Vec3& point, double reach) {
   const int node = nearest_node(face, point);
   if (node >= 0 && distance(section_.nodes[static_cast<std::size_t>(node)].point, point) <=
-                       tolerance_ + slack_[static_cast<std::size_t>(node)])
+                       tolerance_ + reach + slack_[static_cast<std::size_t>(node)])
     return node;
-  nodes_of_[face].push_back(new_node({}, point, tolerance_, false));
+  nodes_of_[face].push_back(new_node({}, point, tolerance_ + reach, false));
   return nodes_of_[face].back();
 }
 
@@ -278,14 +283,41 @@ std::vector<std::size_t> SectionNodes::lone_nodes() const {
   return lone;
 }
 
-bool SectionNodes::runs_along_edge(std::size_t face,
-                                   const std::vector<SurfacePoint>& samples) const {
-  return std::any_of(curves_of_[face].begin(), curves_of_[face].end(), [&](int k) {
+bool SectionNodes::lies_on_edge(std::size_t face, const Vec3& point) const {
+  return std::ranges::any_of(curves_of_[face], [&](int k) {
     const SectionCurve& edge = section_.curves[static_cast<std::size_t>(k)];
-    const double reach = kAlongReach * std::max(tolerance_, edge.tolerance);
-    return std::all_of(samples.begin(), samples.end(),
-                       [&](const SurfacePoint& x) { return distance_to(edge, x.point) <= reach; });
+    return distance_to(edge, point) <= reach_of(edge, tolerance_);
   });
+}
+
+std::vector<Interval> SectionNodes::beside_edges(std::size_t face,
+                                                 const IntersectionCurve& curve) const {
+  const Interval domain = curve.curve.domain();
+  if (curves_of_[face].empty()) return {domain};
+  std::vector<double> cuts{domain.from, domain.to};
+  const Handle(Geom_BSplineCurve) line = to_occt(curve.curve);
+  for (const int k : curves_of_[face]) {
+    const SectionCurve& edge = section_.curves[static_cast<std::size_t>(k)];
+    for (const Vec3& end : {edge.samples.front(), edge.samples.back()}) {
+      const GeomAPI_ProjectPointOnCurve foot(pnt(end), line);
+      if (foot.NbPoints() > 0 && foot.LowerDistance() <= reach_of(edge, tolerance_))
+        cuts.push_back(foot.LowerDistanceParameter());
+    }
+  }
+  std::ranges::sort(cuts);
+  std::vector<Interval> parts;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Interval part{cuts[i], cuts[i + 1]};
+    const auto on_edge = [&](double share) {
+      return lies_on_edge(face, point_at(curve.curve, at(part, share)));
+    };
+    if (on_edge(0.25) && on_edge(0.5) && on_edge(0.75)) continue;
+    if (!parts.empty() && parts.back().to == part.from)
+      parts.back().to = part.to;
+    else
+      parts.push_back(part);
+  }
+  return parts;
 }
 
 }  // namespace blossom::occt

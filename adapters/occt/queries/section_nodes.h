@@ -36,7 +36,8 @@ class SectionNodes {
   int end_node(std::size_t face, const Vec3& point, double reach, double far);
 
   /// The node of an isolated contact, or of a branching.
-  int contact_node(std::size_t face, const Vec3& point);
+  /// reach    how far off it the contact may be, model units
+  int contact_node(std::size_t face, const Vec3& point, double reach);
 
   /// Ends of curves that are left alone, and lie within tolerance of each other, become one node:
   /// faces that meet without sharing an edge.
@@ -45,8 +46,9 @@ class SectionNodes {
   /// Nodes that no curve comes near: there faces only touch the plane.
   std::vector<std::size_t> lone_nodes() const;
 
-  /// Whether a curve on a face runs along an edge of it that lies in the plane.
-  bool runs_along_edge(std::size_t face, const std::vector<SurfacePoint>& samples) const;
+  /// Where a curve on a face does not run along edges of it that lie in the plane: intervals of its
+  /// parameter, in order. It is cut where such edges end, and each part asked at three points.
+  std::vector<Interval> beside_edges(std::size_t face, const IntersectionCurve& curve) const;
 
  private:
   struct KnownEdge {
@@ -58,6 +60,7 @@ class SectionNodes {
   KnownEdge known_edge(std::size_t face, const TopoDS_Edge& edge);
   void add_curve(std::size_t face, const TopoDS_Edge& edge, KnownEdge& known);
   void add_points(const TopoDS_Edge& edge, const CurveSurfaceIntersection& found, KnownEdge& known);
+  bool lies_on_edge(std::size_t face, const Vec3& point) const;
   int nearest_node(std::size_t face, const Vec3& point) const;
   void weaken(const std::string& reason);
   int new_node(const TopoDS_Shape& on, const Vec3& point, double slack, bool proven);

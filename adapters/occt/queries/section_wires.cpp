@@ -26,12 +26,13 @@ Vec3 leaving(const SectionCurve& curve, bool last) {
   return last ? p[p.size() - 2] - p.back() : p[1] - p.front();
 }
 
-// The ends of curves at each node, by angle round it.
-std::vector<std::vector<End>> ends_at_nodes(const PlaneSection& section, const Vec3& normal) {
+// The ends of curves at each node, by angle round it: of those that bound, or of the others.
+std::vector<std::vector<End>> ends_at_nodes(const PlaneSection& section, const Vec3& normal,
+                                            bool bounding) {
   std::vector<std::vector<End>> ends(section.nodes.size());
   for (std::size_t i = 0; i < section.curves.size(); ++i)
     for (std::size_t side = 0; side < 2; ++side)
-      if (section.curves[i].nodes[side] >= 0)
+      if (section.curves[i].bounding == bounding && section.curves[i].nodes[side] >= 0)
         ends[static_cast<std::size_t>(section.curves[i].nodes[side])].push_back(2 * i + side);
   for (std::vector<End>& here : ends) {
     if (here.size() < 3) continue;
@@ -48,13 +49,14 @@ std::vector<std::vector<End>> ends_at_nodes(const PlaneSection& section, const V
 // The end that goes on from each; kNone where a wire ends.
 std::vector<End> partners(const PlaneSection& section, const Vec3& normal) {
   std::vector<End> partner(2 * section.curves.size(), kNone);
-  for (const std::vector<End>& here : ends_at_nodes(section, normal)) {
-    if (here.size() % 2 == 1) continue;
-    for (std::size_t k = 0; k < here.size(); k += 2) {
-      partner[here[k]] = here[k + 1];
-      partner[here[k + 1]] = here[k];
+  for (const bool bounding : {true, false})
+    for (const std::vector<End>& here : ends_at_nodes(section, normal, bounding)) {
+      if (here.size() % 2 == 1) continue;
+      for (std::size_t k = 0; k < here.size(); k += 2) {
+        partner[here[k]] = here[k + 1];
+        partner[here[k + 1]] = here[k];
+      }
     }
-  }
   return partner;
 }
 
@@ -62,6 +64,7 @@ std::vector<End> partners(const PlaneSection& section, const Vec3& normal) {
 SectionWire wire_from(End start, const PlaneSection& section, const std::vector<End>& partner,
                       std::vector<bool>& used) {
   SectionWire wire;
+  wire.bounding = section.curves[start / 2].bounding;
   for (End at = start; at != kNone; at = partner[at ^ 1]) {
     if (used[at / 2]) {
       wire.closed = at == start;
@@ -185,7 +188,8 @@ void orient_wires(PlaneSection& section, const Plane& plane) {
     if (!section.wires[i].closed) continue;
     int around = 0;
     for (std::size_t j = 0; j < polygons.size(); ++j)
-      if (i != j && section.wires[j].closed) around += lies_in(polygons[i], polygons[j]) ? 1 : 0;
+      if (i != j && section.wires[j].closed && section.wires[j].bounding)
+        around += lies_in(polygons[i], polygons[j]) ? 1 : 0;
     if ((signed_area(polygons[i].points) > 0) == (around % 2 == 0)) continue;
     std::vector<CurveUse>& uses = section.wires[i].uses;
     std::ranges::reverse(uses);

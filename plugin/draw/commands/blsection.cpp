@@ -20,8 +20,8 @@ std::string answer_to_blsection(const Words& words) {
   DBRep::Set(words[0].c_str(), occt::compound_of(section));
   std::string list = std::to_string(section.wires.size()) + " " + to_string(section.status);
   for (const occt::SectionWire& wire : section.wires)
-    list +=
-        " {" + std::string(wire.closed ? "closed" : "open") + " " + tcl_number(wire.length) + "}";
+    list += " {" + std::string(wire.closed ? "closed" : "open") + " " + tcl_number(wire.length) +
+            (wire.bounding ? "}" : " inner}");
   for (const std::size_t node : section.points)
     list += " {point " + tcl_list(section.nodes[node].point) + "}";
   return list;
@@ -33,7 +33,9 @@ const Command kBlsection{
     "blsection", "result shape x y z nx ny nz",
     "\n\t\t: the section of faces with the plane through x y z, as a compound of wires and"
     "\n\t\t: vertices. The answer is the number of wires and complete, tolerance or stopped; then"
-    "\n\t\t: {closed length} or {open length} for each wire and {point {x y z}} for each contact.",
+    "\n\t\t: {closed length} or {open length} for each wire, with inner where it bounds no "
+    "material,"
+    "\n\t\t: and {point {x y z}} for each contact.",
     answer_to_blsection};
 
 }  // namespace blossom::draw

@@ -28,12 +28,14 @@ class SectionCurve(FoundCurve):
 @dataclass(eq=False, repr=False)
 class Wire(Record):
     """Curves that follow each other: places in the section's curves, and whether each is walked
-    forward."""
+    forward. One that does not bound lies inside of what plane and solid have in common, or the
+    solid only touches the plane there."""
 
     curves: List[Tuple[int, bool]]
     closed: bool
     length: float
     points: Array
+    bounding: bool
 
 
 def _curves(told: Report, splines: Sequence[Dict[str, Any]]) -> List[SectionCurve]:
@@ -52,7 +54,8 @@ def _wires(told: Report) -> List[Wire]:
     for wire in told["wires"]:
         uses = [(use["curve"], use["forward"]) for use in wire["curves"]]
         pieces = [points[i] if forward else points[i][::-1] for i, forward in uses]
-        wires.append(Wire(uses, wire["closed"], wire["length"], np.concatenate(pieces)))
+        line = np.concatenate(pieces)
+        wires.append(Wire(uses, wire["closed"], wire["length"], line, wire["bounding"]))
     return wires
 
 

@@ -35,7 +35,10 @@ Json node_json(const ShapeNumbers& numbers, const occt::SectionNode& node) {
 }
 
 Json wire_json(const occt::SectionWire& wire) {
-  Json json = {{"closed", wire.closed}, {"length", wire.length}, {"curves", Json::array()}};
+  Json json = {{"closed", wire.closed},
+               {"bounding", wire.bounding},
+               {"length", wire.length},
+               {"curves", Json::array()}};
   for (const occt::CurveUse& use : wire.uses)
     json["curves"].push_back({{"curve", use.curve}, {"forward", use.forward}});
   return json;

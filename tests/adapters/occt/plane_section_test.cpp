@@ -8,8 +8,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -169,6 +172,97 @@ TEST(PlaneSection, TouchesAVertexOrAnEdge) {
   EXPECT_EQ(closed_wires(edge), 0u);
   EXPECT_NEAR(total_length(edge), 1, 1e-12);
   EXPECT_TRUE(edge.points.empty());
+}
+
+// The area that closed bounding wires enclose, holes taken off.
+double bounded_area(PlaneSection section, const Plane& plane) {
+  orient_wires(section, plane);
+  double twice = 0;
+  for (const SectionWire& wire : section.wires) {
+    if (!wire.closed || !wire.bounding) continue;
+    for (const CurveUse& use : wire.uses) {
+      const std::vector<Vec3>& p = section.curves[use.curve].samples;
+      for (std::size_t i = 0; i + 1 < p.size(); ++i)
+        twice += (use.forward ? 1 : -1) * dot(plane.normal, cross(p[i], p[i + 1]));
+    }
+  }
+  return 0.5 * twice;
+}
+
+double length_inside(const PlaneSection& section) {
+  double sum = 0;
+  for (const SectionWire& wire : section.wires) sum += wire.bounding ? 0 : wire.length;
+  return sum;
+}
+
+TEST(PlaneSection, AtAStepHasTheWholeOutlineAndTheStepsEdgeInside) {
+  const TopoDS_Shape low = BRepPrimAPI_MakeBox(10, 10, 5).Shape();
+  const TopoDS_Shape wall = BRepPrimAPI_MakeBox(4, 10, 12).Shape();
+  const TopoDS_Shape boss = BRepPrimAPI_MakeBox(gp_Pnt(3, 3, 0), 4, 4, 12).Shape();
+  for (const auto& [high, inside] : {std::pair{wall, 10.0}, std::pair{boss, 16.0}}) {
+    const TopoDS_Shape part = BRepAlgoAPI_Fuse(low, high).Shape();
+    const PlaneSection section = section_of(part, {0, 0, 5}, {0, 0, 1});
+    EXPECT_EQ(section.status, Status::Complete);
+    EXPECT_NEAR(bounded_area(section, {{0, 0, 5}, {0, 0, 1}}), 100, 1e-9);
+    EXPECT_NEAR(length_inside(section), inside, 1e-9);
+  }
+}
+
+TEST(PlaneSection, OfABallOnAnEdgeThatThePlaneTouchesIsTheDiscAndTheRestOfTheEdge) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 5), 2).Shape();
+  const Plane plane{{0, 0, 5}, {1, 1, 0}};
+  const PlaneSection section =
+      section_of(BRepAlgoAPI_Fuse(box, ball).Shape(), plane.point, plane.normal);
+  EXPECT_NEAR(length_inside(section), 6, 1e-6);
+  EXPECT_NEAR(total_length(section) - length_inside(section), 4 * kPi, 1e-6);
+  EXPECT_EQ(closed_wires(section), 1u);
+}
+
+TEST(PlaneSection, CutsACurveWhereItBeginsToRunAlongAnEdgeInThePlane) {
+  // The top of a box whose corner stands out of a ball: a part of the ball's circle is its edge.
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(5).Shape();
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(6, 6, 3).Shape();
+  const PlaneSection section =
+      section_of(BRepAlgoAPI_Fuse(ball, box).Shape(), {0, 0, 3}, {0, 0, 1});
+  EXPECT_EQ(section.status, Status::Complete);
+  const double angle = std::acos(0.0);  // the box's sides go through the ball's axis
+  EXPECT_NEAR(length_inside(section), 4 * angle, 1e-6);
+  EXPECT_NEAR(bounded_area(section, {{0, 0, 3}, {0, 0, 1}}), 0.75 * 16 * kPi + 36, 0.02);
+  EXPECT_EQ(closed_wires(section), 1u);
+  // A pocket's wall in the plane, and the block's own face on both sides of it.
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  const TopoDS_Shape pocket = BRepPrimAPI_MakeBox(gp_Pnt(5, 3, 6), 3, 3, 6).Shape();
+  const Plane wall{{5, 0, 0}, {1, 0, 0}};
+  const PlaneSection through =
+      section_of(BRepAlgoAPI_Cut(block, pocket).Shape(), wall.point, wall.normal);
+  EXPECT_NEAR(bounded_area(through, wall), 100, 1e-9);
+  EXPECT_NEAR(length_inside(through), 11, 1e-9);
+}
+
+TEST(PlaneSection, IsClosedWhereItTouchesSeamsAndLinesBetweenPatches) {
+  for (const double radius : {10.0, 7.5, 6.9734}) {
+    const double far = radius + 2.6;  // through the seam's vertex, and a quarter turn from it
+    const PlaneSection section =
+        section_of(BRepPrimAPI_MakeTorus(radius, 2.6).Shape(), {far, 0, 0}, {1, 1, 0});
+    EXPECT_EQ(closed_wires(section), 1u);
+    EXPECT_EQ(section.wires.size(), 1u);
+  }
+}
+
+TEST(PlaneSection, BoundsNothingWhereASolidOnlyTouches) {
+  const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(3, 1).Shape();
+  const PlaneSection on_it = section_of(torus, {0, 0, 1}, {0, 0, 1});
+  EXPECT_NEAR(length_inside(on_it), 6 * kPi, 1e-9);
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  EXPECT_NEAR(length_inside(section_of(box, {0, 0, 0}, {1, 1, 0})), 1, 1e-12);
+  EXPECT_EQ(length_inside(section_of(box, {0, 0, 0}, {1, -1, 0})), 0);
+  // A cylinder's seam in the plane is crossed, and a plane in which a solid lies bounds it.
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 2).Shape();
+  EXPECT_EQ(length_inside(section_of(cylinder, {0, 0, 0}, {0, 1, 0})), 0);
+  for (const double z : {0.0, 2.0})
+    EXPECT_NEAR(bounded_area(section_of(cylinder, {0, 0, z}, {0, 0, 1}), {{0, 0, z}, {0, 0, 1}}),
+                kPi, 0.01);
 }
 
 TEST(PlaneSection, TellsOfAFaceInThePlane) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -209,6 +210,27 @@ TEST_F(QueryPlanes, DrawsArcsCounterClockwiseFromTheirStart) {
     EXPECT_NEAR(entity.number(50), 0, 1e-9);
     EXPECT_NEAR(entity.number(51), 90, 1e-9);
   }
+}
+
+TEST_F(QueryPlanes, KeepsWhatBoundsNoMaterialOutOfOutlines) {
+  occt::Model model;
+  model.add(BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(10, 10, 5).Shape(),
+                             BRepPrimAPI_MakeBox(gp_Pnt(3, 3, 0), 4, 4, 12).Shape())
+                .Shape(),
+            "boss");
+  occt::write_model(model, folder_ / "boss.step");
+  const auto cut = [&](const std::string& out) {
+    const Finished made = blossom({"query", "plane", folder_ / "boss.step", "--point", "0,0,5",
+                                   "--normal", "0,0,1", "-o", out});
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.out.find("length 16, inside the section or only touching"), std::string::npos);
+    return testing::text_of(out);
+  };
+  std::map<std::string, int> lines;
+  for (const Entity& entity : parsed(cut(folder_ / "boss.dxf")).entities)
+    ++lines[entity.values.at(8)];
+  EXPECT_EQ(lines, (std::map<std::string, int>{{"PLANE_1", 4}, {"PLANE_1-inner", 4}}));
+  EXPECT_NE(cut(folder_ / "boss.svg").find("stroke-dasharray"), std::string::npos);
 }
 
 TEST_F(QueryPlanes, HatchesSolidsInSvg) {

@@ -62,7 +62,8 @@ std::string text_of(const Input& input, const Answer& answer) {
   text << ", " << answer.seconds << " s\n";
   for (const occt::SectionWire& wire : section.wires)
     text << "  " << (wire.closed ? "closed" : "open") << ", " << counted(wire.uses.size(), "curve")
-         << ", length " << wire.length << "\n";
+         << ", length " << wire.length
+         << (wire.bounding ? "\n" : ", inside the section or only touching\n");
   for (const std::size_t node : section.points)
     text << "  point " << vector_text(section.nodes[node].point) << "\n";
   for (const std::string& reason : section.certificate.reasons) text << "  " << reason << "\n";

@@ -34,14 +34,15 @@ constexpr long kMostPlanes = 100'000;
 std::string offset_text(double offset) { return number_text(rounded(offset)); }
 
 std::string plane_line(const SectionsOfPlane& plane) {
-  std::size_t wires = 0, open = 0, points = 0;
+  std::size_t wires = 0, open = 0, inner = 0, points = 0;
   double length = 0;
   std::string status;
   for (const PartSection& part : plane.parts) {
     points += part.section.points.size();
     for (const occt::SectionWire& wire : part.section.wires) {
       ++wires;
-      open += wire.closed ? 0 : 1;
+      open += wire.closed || !wire.bounding ? 0 : 1;
+      inner += wire.bounding ? 0 : 1;
       length += wire.length;
     }
     if (part.section.status != Status::Complete)
@@ -49,6 +50,7 @@ std::string plane_line(const SectionsOfPlane& plane) {
   }
   std::string text = "  " + plane.plane.name + ": " + counted(wires, "wire");
   if (open > 0) text += " (" + std::to_string(open) + " open)";
+  if (inner > 0) text += " (" + std::to_string(inner) + " inside or only touching)";
   if (points > 0) text += ", " + counted(points, "point");
   if (wires > 0) text += ", length " + number_text(rounded(length));
   if (plane.parts.size() > 1) text += ", " + counted(plane.parts.size(), "part");
