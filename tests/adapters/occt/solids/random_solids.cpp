@@ -8,7 +8,6 @@
 #include <sstream>
 #include <vector>
 
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
@@ -18,7 +17,6 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
-#include <Bnd_Box.hxx>
 #include <gp_Quaternion.hxx>
 
 namespace blossom::testing {
@@ -208,6 +206,28 @@ double own_area(const SimpleSolid& s) {
   return s.corners * s.a * (s.a * std::sin(2 * half) + 2 * std::sin(half) * s.c);
 }
 
+// In a solid's own place. Boxes of Open CASCADE need not hold all of a torus.
+struct OwnBox {
+  Vec3 low, high;
+
+  double volume() const { return (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]); }
+};
+
+OwnBox own_box(const SimpleSolid& s) {
+  const auto round = [](double r, double from, double to) {
+    return OwnBox{{-r, -r, from}, {r, r, to}};
+  };
+  switch (s.kind) {
+    case Simple::Box: return {{0, 0, 0}, {s.a, s.b, s.c}};
+    case Simple::Cylinder: return round(s.a, 0, s.c);
+    case Simple::Cone: return round(std::max(s.a, s.b), 0, s.c);
+    case Simple::Sphere: return round(s.a, -s.a, s.a);
+    case Simple::Torus: return round(s.a + s.b, -s.b, s.b);
+    case Simple::Prism: break;
+  }
+  return round(s.a, 0, s.c);
+}
+
 bool prism_holds(const SimpleSolid& s, const gp_Pnt& p) {
   const double half = angle_of_side(s) / 2;
   for (int i = 0; i < s.corners; ++i) {
@@ -292,10 +312,9 @@ SimpleSolid random_tool(Random& random) {
 }
 
 CountedVolume counted_common(const SolidJob& job) {
-  Bnd_Box box;
-  // The optimal box of a torus may be smaller than it.
-  BRepBndLib::Add(job.a.volume() < job.b.volume() ? job.a.shape() : job.b.shape(), box);
-  const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
+  const bool first = job.a.volume() < job.b.volume();
+  const SimpleSolid &smaller = first ? job.a : job.b, &larger = first ? job.b : job.a;
+  const OwnBox box = own_box(smaller);
   constexpr int kPoints = 4000000;
   // The additive sequence of the plastic number's cousin in three dimensions.
   constexpr std::array kSteps{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
@@ -305,12 +324,14 @@ CountedVolume counted_common(const SolidJob& job) {
       const double x = 0.5 + i * kSteps[k];
       return from + (to - from) * (x - std::floor(x));
     };
-    const Vec3 p{at(0, low.X(), high.X()), at(1, low.Y(), high.Y()), at(2, low.Z(), high.Z())};
-    inside += job.a.holds(p) && job.b.holds(p);
+    const gp_Pnt p = gp_Pnt(at(0, box.low[0], box.high[0]), at(1, box.low[1], box.high[1]),
+                            at(2, box.low[2], box.high[2]))
+                         .Transformed(smaller.place);
+    const Vec3 point{p.X(), p.Y(), p.Z()};
+    inside += smaller.holds(point) && larger.holds(point);
   }
-  const double whole = (high.X() - low.X()) * (high.Y() - low.Y()) * (high.Z() - low.Z());
-  const double cubed = std::pow(job.scale(), 3);
-  return {cubed * whole * inside / kPoints, cubed * whole * 1e-4};
+  const double whole = box.volume() * std::pow(job.scale(), 3);
+  return {whole * inside / kPoints, whole * 1e-4};
 }
 
 }  // namespace blossom::testing
