@@ -240,10 +240,12 @@ bool prism_holds(const SimpleSolid& s, const gp_Pnt& p) {
 }  // namespace
 
 TopoDS_Shape SimpleSolid::shape_in(const gp_Trsf& world) const {
-  gp_Trsf moved = world * place;
+  const gp_Trsf whole = world * place;
   SimpleSolid scaled = *this;
-  for (double* const length : {&scaled.a, &scaled.b, &scaled.c}) *length *= moved.ScaleFactor();
-  moved.SetScaleFactor(1);
+  for (double* const length : {&scaled.a, &scaled.b, &scaled.c}) *length *= whole.ScaleFactor();
+  // A scaling whose factor is set to 1 counts as the identity, and would not move anything.
+  gp_Trsf moved;
+  moved.SetTransformation(whole.GetRotation(), whole.TranslationPart());
   return BRepBuilderAPI_Transform(own_shape(scaled), moved, true).Shape();
 }
 
