@@ -99,15 +99,41 @@ bool is_near(const Vec3& point, const std::vector<BoxedEdge>& edges) {
   });
 }
 
+// Two faces that cross, each of which may be off by the tolerance.
+struct CrossedFaces {
+  Handle(Geom_Surface) a, b;
+  double tolerance = 0;
+
+  /// How far the curve may be from its place at a point: by the tolerances over the sine of the
+  /// angle between the faces there, which may be as small as 0 at an end alone.
+  double reach_at(const SurfacePoint& of) const {
+    const SurfaceFrame on_a = frame_at(a, of.uv_a), on_b = frame_at(b, of.uv_b);
+    const Vec3 normal_a = cross(on_a.du, on_a.dv), normal_b = cross(on_b.du, on_b.dv);
+    const double size = norm(normal_a) * norm(normal_b);
+    const double sine = size > 0 ? norm(cross(normal_a, normal_b)) / size : 1;
+    return 2 * tolerance / std::max(sine, kLeastSine);
+  }
+};
+
 // Whether a curve is near one of the edges all along: at its samples, of which a straight one has
 // hardly more than its ends, and at points between them.
-bool keeps_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges) {
-  for (int i = 1; i < kEvenPoints; ++i) {
+bool keeps_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges,
+              const CrossedFaces& crossed) {
+  const auto is_along = [&](const SurfacePoint& x) {
+    if (is_near(x.point, edges)) return true;
+    if (curve.tangential) return false;
+    const double reach = crossed.reach_at(x);
+    return std::ranges::any_of(edges, [&](const BoxedEdge& each) {
+      return reach > each.reach && foot_on(curve_of(each.edge), pnt(x.point)).distance <= reach;
+    });
+  };
+  for (int i = 1; i < kEvenPoints && !edges.empty(); ++i) {
     const double t = at(curve.curve.domain(), static_cast<double>(i) / kEvenPoints);
-    if (!is_near(point_at(curve.curve, t), edges)) return false;
+    if (!is_along(
+            {point_at(curve.curve, t), point_at(curve.chart_a, t), point_at(curve.chart_b, t)}))
+      return false;
   }
-  return std::all_of(curve.samples.begin(), curve.samples.end(),
-                     [&](const SurfacePoint& x) { return is_near(x.point, edges); });
+  return !edges.empty() && std::ranges::all_of(curve.samples, is_along);
 }
 
 // A few points between the ends tell which curves may run along edges.
@@ -353,15 +379,8 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
   take(edges_of(b_[face_b]), in_a_[face_a]);
   take(edges_of(a_[face_a]), in_b_[face_b]);
   const auto near = boxed(edges, [this](const TopoDS_Edge& edge) { return this->reach(edge); });
-  // Where each face may be off by a tolerance, a curve may be by that over the sine of their angle.
-  const auto keeps_to_one = [&](const IntersectionCurve& curve) {
-    const double sine = curve.tangential ? 1 : std::sin(curve.least_angle);
-    const double off = 2 * options_.tolerances.point / std::max(sine, kLeastSine);
-    if (off <= reach_) return keeps_to(curve, near);
-    return keeps_to(curve, boxed(edges, [&](const TopoDS_Edge& edge) {
-                      return std::max(off, this->reach(edge));
-                    }));
-  };
+  const CrossedFaces crossed{BRep_Tool::Surface(a_[face_a]), BRep_Tool::Surface(b_[face_b]),
+                             options_.tolerances.point};
   std::vector<std::size_t> along;
   std::optional<SurfaceProjector> on_a, on_b;
   const auto is_contact_along = [&](const IntersectionCurve& curve) {
@@ -371,7 +390,7 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
     return stands_for_contact(edges, curve, *on_a, *on_b, options_.tolerances.point);
   };
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i)
-    if (keeps_to_one(pair.found.curves[i]) || is_contact_along(pair.found.curves[i]))
+    if (keeps_to(pair.found.curves[i], near, crossed) || is_contact_along(pair.found.curves[i]))
       along.push_back(i);
   return along;
 }

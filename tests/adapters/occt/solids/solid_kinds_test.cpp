@@ -18,6 +18,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 #include <TopExp_Explorer.hxx>
@@ -209,6 +210,29 @@ TEST(SolidKinds, ABallMayPassThroughTheCornersOfThePrismThatItsSeamTouches) {
                    BRepPrimAPI_MakeSphere(10).Shape(), 4000 * kPi / 3,
                    2000 * kPi / 3 - sides * past);
   }
+}
+
+// The seam of both is the circle in which they touch, and the curves in which they cross beside it
+// begin in two of its points, where the angle between them is 0. What is beyond the plane of
+// symmetry is half of what they have in common: at each height an annulus beyond a line.
+TEST(SolidKinds, RingsThatTouchInTheirSeamsCrossBesideThem) {
+  constexpr double kRing = 100, kTube = 20;
+  constexpr int kSteps = 20000;
+  const auto segment = [](double r, double off) {
+    return off < r ? r * r * std::acos(off / r) - off * std::sqrt(r * r - off * off) : 0;
+  };
+  double common = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = kPi * ((i + 0.5) / kSteps - 0.5);
+    const double z = kTube * std::sin(angle), wide = kTube * std::cos(angle);
+    common += 2 * (segment(kRing + wide, kRing - z) - segment(kRing - wide, kRing - z)) * wide *
+              kPi / kSteps;
+  }
+  const double whole = 2 * kPi * kPi * kRing * kTube * kTube;
+  expect_volumes(
+      BRepPrimAPI_MakeTorus(kRing, kTube).Shape(), whole,
+      BRepPrimAPI_MakeTorus(gp_Ax2({kRing, 0, kRing}, {1, 0, 0}, {0, 0, -1}), kRing, kTube).Shape(),
+      whole, common);
 }
 
 // It does so along 1e-4, nowhere farther than 1e-8 from the rim.
