@@ -21,6 +21,7 @@
 #include "adapters/occt/repair/true_inputs.h"
 #include "adapters/occt/solids/combined_pair.h"
 #include "adapters/occt/solids/labelled_solids.h"
+#include "adapters/occt/solids/sheets.h"
 #include "adapters/occt/solids/solid_validity.h"
 #include "adapters/occt/solids/stated_tolerance.h"
 #include "core/base/errors.h"
@@ -188,11 +189,6 @@ SolidTrimResult divided(StagedInputs& inputs, SolidOperation operation, LayerWor
   return all;
 }
 
-void check_closed(const TrimTool& input, const std::string& name) {
-  if (!input.is_solid())
-    throw InvalidInput("trim: " + name + " is no closed solid: " + describe_open_shell(input));
-}
-
 // Those of inputs, which are as they were given.
 TopTools_MapOfShape faces_of(const TrimTool& part, const std::vector<TrimTool>& tools) {
   TopTools_MapOfShape faces;
@@ -252,6 +248,24 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
   return result;
 }
 
+SolidTrimResult trimmed_sheets(const TrimTool& part, const std::vector<TrimTool>& tools,
+                               SolidOperation operation, const IntersectionOptions& options) try {
+  const SharedLimit limit(options);
+  const WorkLimit own_limit(options);
+  const TrueInputs sound(part, tools, own_limit);
+  IntersectionOptions left = limit.remaining();
+  left.threads = options.threads;
+  SolidTrimResult result = trim_sheets(sound.part(), sound.tools(), operation, left);
+  result.tolerances = sound.told();
+  return result;
+} catch (const Failure& error) {  // the limit, before anything was divided
+  SolidTrimResult result;
+  result.of_sheets = true;
+  result.obstacles.emplace_back(error.what());
+  result.status = Status::Stopped;
+  return result;
+}
+
 // The largest gap between edges of two inputs that are one by what their corners state.
 double corner_gap(const TrimTool& part, const std::vector<TrimTool>& tools) {
   double gap = 0;
@@ -270,13 +284,14 @@ SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimT
   IntersectionOptions stated = options;
   stated.tolerances.point =
       std::max(options.tolerances.point, kCornerMargin * corner_gap(part, tools));
-  SolidTrimResult result = trimmed(part, tools, operation, stated);
+  const auto combine = takes_sheets(part, tools, operation) ? trimmed_sheets : trimmed;
+  SolidTrimResult result = combine(part, tools, operation, stated);
   if (result.obstacles.empty() || stated.tolerances.point == options.tolerances.point ||
       limit.is_reached())
     return result;
   IntersectionOptions left = limit.remaining();
   left.threads = options.threads;
-  SolidTrimResult finer = trimmed(part, tools, operation, left);
+  SolidTrimResult finer = combine(part, tools, operation, left);
   if (!finer.obstacles.empty()) return result;
   finer.status = weaker(finer.status, Status::Tolerance);
   return finer;
@@ -284,12 +299,31 @@ SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimT
 
 }  // namespace
 
+std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& tools,
+                            SolidOperation operation) {
+  if (!takes_sheets(part, tools, operation) || operation == SolidOperation::Split ||
+      operation == SolidOperation::Common)
+    return {};
+  const std::size_t sheet = first_sheet(tools);
+  const auto told = [](const TrimTool& input, const std::string& name) {
+    return name + " is no closed solid: " + describe_open_shell(input);
+  };
+  if (operation == SolidOperation::Cut)
+    return part.is_solid() ? told(tools[sheet], tool_name(tools, sheet)) +
+                                 "; a sheet takes nothing off a solid, split divides it by one"
+                           : "";
+  const bool any_solid = part.is_solid() || std::ranges::any_of(tools, &TrimTool::is_solid);
+  if (!any_solid) return {};
+  return (part.is_solid() ? told(tools[sheet], tool_name(tools, sheet))
+                          : told(part, part_name(part))) +
+         "; solids are fused with solids, and sheets with sheets";
+}
+
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation, const IntersectionOptions& options) {
   if (tools.empty()) throw InvalidInput("trim: there is no tool");
-  check_closed(part, part_name(part));
-  for (std::size_t i = 0; i < tools.size(); ++i)
-    if (operation != SolidOperation::Split) check_closed(tools[i], tool_name(tools, i));
+  if (const std::string cause = misplaced_sheet(part, tools, operation); !cause.empty())
+    throw InvalidInput("trim: " + cause);
   SolidTrimResult result;
   with_threads(options.threads,
                [&] { result = trimmed_at_corners(part, tools, operation, options); });
@@ -300,6 +334,7 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
       if (std::ranges::find(causes, cause) == causes.end()) causes.push_back(std::move(cause));
     result.obstacles = std::move(causes);
     result.solids.clear();
+    result.sheets.clear();
     result.faces.clear();
   }
   return result;

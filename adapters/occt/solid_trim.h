@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Solids cut by solids: what they have in common, what is left, what they are together.
+// Solids and sheets cut by solids and sheets: what they have in common, what is left, what they are
+// together.
 
 #pragma once
 
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
 #include "adapters/occt/trim_tool.h"
@@ -43,8 +45,15 @@ struct TotalVolumes {
   double result = 0;
 };
 
-/// Above this error of volumes a result is not given out, but for what is between pieces that are
-/// apart and count as one.
+/// Of sheets and of what they became, square model units.
+struct TotalAreas {
+  double part = 0;   ///< 0 of a solid
+  double tools = 0;  ///< of those that are sheets
+  double result = 0;
+};
+
+/// Above this error of volumes, or of the areas of sheets, a result is not given out, but for what
+/// is between pieces that are apart and count as one.
 inline constexpr double kVolumeError = 1e-6;
 
 /// A face of a result and where it comes from.
@@ -58,9 +67,12 @@ struct SolidTrimResult {
   Status status = Status::Complete;  ///< of the intersection
   Certificate certificate;
   std::vector<TopoDS_Solid> solids;     ///< none if it is empty or refused
-  std::vector<SolidFace> faces;         ///< of all solids
+  std::vector<TopoDS_Shell> sheets;     ///< likewise, where sheets are combined
+  bool of_sheets = false;               ///< whether they are: then there are areas, and no volumes
+  std::vector<SolidFace> faces;         ///< of all solids, or of all sheets
   std::vector<SolidVolumes> volumes;    ///< one for each step, of the two that were combined then
   TotalVolumes total;                   ///< 0 if there is no result
+  TotalAreas areas;                     ///< likewise; of sheets that are combined
   std::vector<std::string> obstacles;   ///< why there is no result; none if it can be used
   std::vector<std::string> thin;        ///< pieces, or cuts, that are apart and count as one
   std::vector<std::string> tolerances;  ///< what was not true about those of the part and the tools
@@ -69,7 +81,12 @@ struct SolidTrimResult {
 /// Why the faces of a tool that is no solid bound none: "1 of its 2 shells is open, at 4 edges".
 std::string describe_open_shell(const TrimTool& tool);
 
-/// Combines closed solids.
+/// Why sheets among the inputs have no place in the operation; empty if they have, or there is
+/// none.
+std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& tools,
+                            SolidOperation operation);
+
+/// Combines closed solids, or sheets with solids and with each other.
 ///
 /// Faces are split along each other, pieces on the wanted sides put together by their common edges
 /// into closed shells, and shells into solids: a shell that is turned inwards is a void of the
@@ -88,6 +105,13 @@ std::string describe_open_shell(const TrimTool& tool);
 /// inside of a piece, or has one body on both sides, divides nothing; one that ends in the middle
 /// of a face of the part, and divides that only so far, is refused.
 ///
+/// A sheet as the part is cut by solids: what is outside of them is left (cut), what is inside of
+/// all of them or on them (common), or both (split). Sheets as tools of a sheet divide it, too, and
+/// have in common with it what lies on both; sheets that are fused are divided alike, and what lies
+/// on both is there once. What a solid has in common with sheets is what of the first one lies in
+/// it, and on the others. The faces keep their turn, and hang together in sheets over edges that
+/// two of them use in opposite directions.
+///
 /// Pieces of two solids that have the same border and are less than two tolerances apart count as
 /// one, and so do cuts of a face that keep within tolerance of each other from end to end; what is
 /// between them is in no result; they are told, with the status Tolerance.
@@ -104,10 +128,10 @@ std::string describe_open_shell(const TrimTool& tool);
 ///
 /// options       its time limit is that of the whole work; when it is reached, volumes and solids
 ///               too are left with the obstacle and the status Stopped
-/// part, tools   each one or several solids that do not overlap; at least one tool; to split, tools
-///               may be sheets
-/// throws        InvalidInput if an input that has to be one is no closed solid, or there is no
-///               tool; BadModel if a face cannot be converted
+/// part, tools   each one or several solids that do not overlap, or a sheet; at least one tool
+/// throws        InvalidInput with what `misplaced_sheet` tells, or if there is no tool; BadModel
+/// if
+///               a face cannot be converted
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation, const IntersectionOptions& options = {});
 

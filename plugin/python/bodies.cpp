@@ -105,14 +105,6 @@ occt::TrimTool whole_of(const reports::Input& input) {
   return whole;
 }
 
-occt::TrimTool solid_of(const reports::Input& input) {
-  occt::TrimTool solid = whole_of(input);
-  if (!solid.is_solid())
-    throw occt::BadModel(input.name + " is no closed solid: " + occt::describe_open_shell(solid) +
-                         "; a sheet may be a tool of split, or cut faces in trim");
-  return solid;
-}
-
 // What gives the faces of a cut along a plane their name: the plane as a part.
 occt::Model plane_model(const occt::Plane& plane, const TopoDS_Shape& part,
                         const std::string& name) {
@@ -124,6 +116,7 @@ occt::Model plane_model(const occt::Plane& plane, const TopoDS_Shape& part,
 // The part with what was made in the place of its solids.
 occt::Model combined_model(const occt::SolidTrimResult& made, const occt::Model& part,
                            const std::vector<const occt::Model*>& tools) {
+  if (!made.sheets.empty()) return reports::sheets_model(made, part, tools);
   occt::Model model = part.copy();
   std::vector<occt::CombinedSolid> solids;
   for (const TopoDS_Solid& solid : made.solids)
@@ -154,7 +147,7 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
       const reports::Input& other = tool->repaired_input(watch);
       answer.tools.push_back(other.name);
       answer.repairs.push_back(reports::repairs_json(other));
-      cutters.push_back(*wanted == occt::SolidOperation::Split ? whole_of(other) : solid_of(other));
+      cutters.push_back(whole_of(other));
       origins.push_back(&other.model);
     }
     std::list<occt::Model> plane_models;
@@ -164,8 +157,11 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
       plane_models.push_back(plane_model(planes[i], input.model.shape(), reports::plane_name(i)));
       origins.push_back(&plane_models.back());
     }
+    const occt::TrimTool whole = whole_of(input);
+    if (const std::string cause = occt::misplaced_sheet(whole, cutters, *wanted); !cause.empty())
+      throw occt::BadModel(cause);
     const double start = watch.seconds();
-    answer.made = occt::trim_solids(solid_of(input), cutters, *wanted, watch.engine());
+    answer.made = occt::trim_solids(whole, cutters, *wanted, watch.engine());
     answer.seconds = watch.seconds() - start;
     reports::note_faces(answer);
     watch.stop();

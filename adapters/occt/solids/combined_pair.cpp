@@ -17,7 +17,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/solids/contact_scale.h"
-#include "adapters/occt/solids/sheet_split.h"
+#include "adapters/occt/solids/sheets.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/solids/solid_validity.h"
@@ -158,12 +158,16 @@ SolidTrimResult combined_at(const PairJob& job, Attempt attempt,
   result.thin = pieces.thin;
   if (!result.obstacles.empty()) return result;
   try {
-    if (tool.is_solid())
+    if (!part.is_solid())
+      take_sheet_pieces(pieces, part, tool, operation, result);
+    else if (tool.is_solid())
       put_together(pieces, part, tool, operation, cones, limit, result);
     else
       divide_by_sheet(pieces, part, cones, limit, result);
     if (result.obstacles.empty() && !are_valid(result.solids, valid, limit))
       result.obstacles.emplace_back(kInvalidSolid);
+    if (!part.is_solid() && result.obstacles.empty() && !are_valid(result.faces, valid))
+      result.obstacles.emplace_back(kInvalidFace);
   } catch (const Failure& error) {
     result.obstacles.emplace_back(error.what());
     if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;

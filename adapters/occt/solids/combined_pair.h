@@ -18,6 +18,8 @@ Vec3 cone_apex(const TrimTool& part);
 
 /// What is told of a solid that `are_valid` refuses.
 inline constexpr const char* kInvalidSolid = "a solid is not valid by BRepCheck";
+/// And of a face of a sheet.
+inline constexpr const char* kInvalidFace = "a face is not valid by BRepCheck";
 
 /// One step of `trim_solids`: a part and one tool. Every step measures all three results, whichever
 /// is asked for, since only together their volumes can be checked.
@@ -27,7 +29,8 @@ inline constexpr const char* kInvalidSolid = "a solid is not valid by BRepCheck"
 /// Where the options' tolerance leads to obstacles, the two are combined once more at the scale of
 /// the gaps between them (contact_scale.h), which is told.
 ///
-/// part, tool   closed solids; the tool may be a sheet, which splits whatever the operation is
+/// part, tool   closed solids; the tool may be a sheet, which splits whatever the operation is; or
+///              the part is one, of which faces are chosen alone
 /// cones        under faces of both and of what is made of them
 /// valid        faces that need not be checked, in any orientation
 /// returns      volumes of this step; faces as pieces of the part (`tool` is -1) and of the tool

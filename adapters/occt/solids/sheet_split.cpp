@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/solids/sheet_split.h"
+#include "adapters/occt/solids/sheets.h"
 
 #include <algorithm>
 #include <cstddef>

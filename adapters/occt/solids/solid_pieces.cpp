@@ -198,6 +198,14 @@ void add_notes(const Side& side, std::size_t face, SolidPieces& result) {
     result.obstacles.push_back(side.face_name(face) + ": " + note);
 }
 
+// Whether a sheet is divided as far as a curve goes. Its own border may end the curve in the middle
+// of a face of the other input, which stays as it is there; and a sheet's in the middle of its own.
+bool divides_sheet(const Side& a, const Side& b, const Spline& curve, const CurveEdges& on_a,
+                   double allowed) {
+  return !a.solid->is_solid() &&
+         (!b.solid->is_solid() || longest_rest(curve, on_a, on_a) <= allowed);
+}
+
 void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
                 const CommonEdges& common, EdgeUnion& joined, SolidPieces& result) {
   const auto on_a = curve_edges(a, uses.size());
@@ -213,7 +221,8 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
                  use.uncertainty);
     const bool alike = match(on_a[i], on_b[i]);
     if (use.touch && !alike) continue;  // what only touches may divide one face alone
-    if (!alike || (!use.touch && longest_rest(curve, on_a[i], on_b[i]) > allowed)) {
+    const bool fits = alike && (use.touch || longest_rest(curve, on_a[i], on_b[i]) <= allowed);
+    if (!fits && !divides_sheet(a, b, curve, on_a[i], allowed)) {
       result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
                                  " are not divided alike along their intersection");
       add_notes(a, use.face_a, result);

@@ -248,7 +248,7 @@ SidesTold find_sides(SplitSolid& a, SplitSolid& b,
   check_unmatched(b, over_b, a, tolerance, limit, told.obstacles);
   if (!told.obstacles.empty()) return told;
   if (b.solid->is_solid()) check_sides(a, b, tolerance, limit, told.obstacles);
-  check_sides(b, a, tolerance, limit, told.obstacles);
+  if (a.solid->is_solid()) check_sides(b, a, tolerance, limit, told.obstacles);
   return told;
 }
 

@@ -53,7 +53,7 @@ struct SidesTold {
 /// together over edges that the other solid does not cross lie on one side: what is known of them
 /// already has to agree, and rays from points inside of them with that and each other.
 ///
-/// Where b is a sheet only its pieces have sides, and those of a that coincide with them.
+/// Sheets have no inside: pieces of the other input have sides only where they coincide with one.
 ///
 /// overlaps    pairs of faces of a and b that coincide somewhere
 /// tolerance   model units; ten times as near to the other surface is on it where faces coincide,

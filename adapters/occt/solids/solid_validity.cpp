@@ -23,9 +23,9 @@ bool has_none(const BRepCheck_ListOfStatus& problems) {
                      [](BRepCheck_Status status) { return status == BRepCheck_NoError; });
 }
 
-bool new_faces_are_valid(const TopoDS_Solid& solid, const TopTools_MapOfShape& known) {
+bool new_faces_are_valid(const TopoDS_Shape& shape, const TopTools_MapOfShape& known) {
   FacesToCheck faces;
-  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
     if (!known.Contains(it.Current()) && !is_sound_polygon(TopoDS::Face(it.Current())))
       faces.add(TopoDS::Face(it.Current()));
   return faces.all().NbChildren() == 0 || BRepCheck_Analyzer(faces.all()).IsValid();
@@ -55,6 +55,13 @@ bool are_valid(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShap
       check_limit(&limit, "checking solids");
       return is_valid(solid, known);
     });
+  });
+}
+
+bool are_valid(const std::vector<SolidFace>& faces, const TopTools_MapOfShape& known) {
+  return guarded("checking faces", [&] {
+    return std::ranges::all_of(
+        faces, [&](const SolidFace& of) { return new_faces_are_valid(of.face, known); });
   });
 }
 

@@ -8,6 +8,7 @@
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include "adapters/occt/solid_trim.h"
 #include "core/base/work_limit.h"
 
 namespace blossom::occt {
@@ -23,5 +24,8 @@ bool is_valid(const TopoDS_Solid& solid, const TopTools_MapOfShape& known);
 /// throws   Failure when the limit is reached
 bool are_valid(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShape& known,
                const WorkLimit& limit);
+
+/// Of faces that bound no solid, all but the known ones.
+bool are_valid(const std::vector<SolidFace>& faces, const TopTools_MapOfShape& known);
 
 }  // namespace blossom::occt

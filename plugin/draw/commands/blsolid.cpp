@@ -30,35 +30,31 @@ occt::SolidOperation operation_of(const std::string& word) {
   return found->second;
 }
 
-// Who takes a sheet for a tool is told what it is.
-occt::TrimTool solid_named(const std::string& name) {
-  occt::TrimTool tool = tool_named(name);
-  if (!tool.is_solid())
-    throw occt::BadModel(name + " is no closed solid: " + occt::describe_open_shell(tool));
-  return tool;
-}
-
 std::string answer_to_blsolid(const Words& words) {
   require(words.size() >= 4);
   const occt::SolidOperation operation = operation_of(words[1]);
-  const occt::TrimTool part = solid_named(words[2]);
+  const occt::TrimTool part = tool_named(words[2]);
   std::vector<occt::TrimTool> tools;
-  for (std::size_t i = 3; i < words.size(); ++i) tools.push_back(solid_named(words[i]));
+  for (std::size_t i = 3; i < words.size(); ++i) tools.push_back(tool_named(words[i]));
+  if (const std::string cause = occt::misplaced_sheet(part, tools, operation); !cause.empty())
+    throw occt::BadModel(cause);
 
   const occt::SolidTrimResult made = occt::trim_solids(part, tools, operation);
 
   if (!made.obstacles.empty()) throw occt::Failure(made.obstacles.front());
-  DBRep::Set(words[0].c_str(), occt::compound_of(made.solids));
-  return std::to_string(made.solids.size()) + " " + to_string(made.status) + " " +
-         tcl_number(made.total.result);
+  DBRep::Set(words[0].c_str(),
+             made.of_sheets ? occt::compound_of(made.sheets) : occt::compound_of(made.solids));
+  return std::to_string(made.of_sheets ? made.sheets.size() : made.solids.size()) + " " +
+         to_string(made.status) + " " +
+         tcl_number(made.of_sheets ? made.areas.result : made.total.result);
 }
 
 }  // namespace
 
 const Command kBlsolid{
     "blsolid", "result cut|common|fuse|split part tool [tool ...]",
-    "\n\t\t: closed solids combined. The answer is the number of solids, complete or tolerance,"
-    "\n\t\t: and their volume.",
+    "\n\t\t: closed solids, or sheets of faces, combined. The answer is the number of solids or"
+    "\n\t\t: sheets, complete or tolerance, and their volume or area.",
     answer_to_blsolid};
 
 }  // namespace blossom::draw

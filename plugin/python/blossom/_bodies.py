@@ -29,7 +29,8 @@ class Trim(Result):
 
 
 class Solid(Result):
-    """Combined solids; a list of what came out, each with `faces` and `voids`."""
+    """Combined solids, or sheets; a list of what came out, each with `faces` and, of solids,
+    `voids`."""
 
     @property
     def operation(self) -> str:
@@ -46,15 +47,26 @@ class Solid(Result):
         return dict(self._told()["total"])
 
     @property
+    def area(self) -> float:
+        """Of the sheets that came out; 0 of solids."""
+        return float(self._told()["areas"]["result"])
+
+    @property
+    def areas(self) -> Dict[str, float]:
+        """Of sheets among the inputs, and of those that came out: `part`, `tools`, `result`."""
+        return dict(self._told()["areas"])
+
+    @property
     def obstacles(self) -> List[str]:
         """Why there is no result; none if it can be used."""
         return list(self._told()["obstacles"])
 
     def _items(self) -> List[Any]:
-        return list(self._told()["solids"])
+        return list(self._told()["solids"]) + list(self._told()["sheets"])
 
     def _summary(self) -> str:
-        told = f"{self.operation}, {self.status}, {counted(len(self), 'solid')}"
+        kind = "sheet" if self._told()["sheets"] else "solid"
+        told = f"{self.operation}, {self.status}, {counted(len(self), kind)}"
         return f"{told}, {self.obstacles[0]}" if self.obstacles else told
 
 

@@ -296,10 +296,11 @@ class Model(_results.MadeShape):
         fuzzy: float = 0,
         **options: Any,
     ) -> Solid:
-        """The closed solid combined with others.
+        """The closed solid or the sheet combined with others.
 
-        operation   "cut", "common", "fuse", or "split": cut and common side by side, which takes
-                    sheets as tools, too
+        operation   "cut", "common", "fuse", or "split": cut and common side by side. Sheets are cut
+                    by solids and divided by sheets, have something in common with either, are
+                    fused with sheets, and split solids
         planes      pairs (point, normal); what is above cuts like a tool
         fuzzy       what is up to so much farther apart than the tolerance counts as one
         """

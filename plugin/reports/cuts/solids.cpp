@@ -83,11 +83,11 @@ std::optional<occt::SolidOperation> solid_operation(const std::string& word) {
   return found->second;
 }
 
-std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
+std::vector<occt::FaceOrigin> origins_of(const TopoDS_Shape& shape,
                                          const occt::SolidTrimResult& made, const occt::Model& part,
                                          const std::vector<const occt::Model*>& tools) {
   TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
   std::vector<occt::FaceOrigin> origins;
   for (const occt::SolidFace& face : made.faces)
     if (faces.RemoveKey(face.face))
@@ -97,13 +97,29 @@ std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
   return origins;
 }
 
+occt::Model sheets_model(const occt::SolidTrimResult& made, const occt::Model& part,
+                         const std::vector<const occt::Model*>& tools) {
+  occt::Model model;
+  int number = 0;
+  for (const TopoDS_Shell& sheet : made.sheets) {
+    const std::vector<occt::FaceOrigin> origins = origins_of(sheet, made, part, tools);
+    std::string name = origins.front().model->part_name(origins.front().number);
+    if (name.empty()) name = "sheet";
+    if (made.sheets.size() > 1) name += "." + std::to_string(++number);
+    model.add_combined(sheet, name, origins);
+  }
+  return model;
+}
+
 void note_faces(SolidAnswer& answer) {
   answer.invalid = invalid_as_given(answer);
   answer.idle = idle_planes(answer);
 }
 
 Json solid_report(const SolidAnswer& answer) {
-  Json solids = Json::array(), steps = Json::array();
+  Json solids = Json::array(), steps = Json::array(), sheets = Json::array();
+  for (const TopoDS_Shell& sheet : answer.made.sheets)
+    sheets.push_back({{"faces", face_count(sheet)}});
   for (const occt::SolidVolumes& volumes : answer.made.volumes)
     steps.push_back(volumes_json(volumes));
   for (const TopoDS_Solid& solid : answer.made.solids)
@@ -117,6 +133,11 @@ Json solid_report(const SolidAnswer& answer) {
           {"written", answer.written},
           {"seconds", answer.seconds},
           {"solids", std::move(solids)},
+          {"sheets", std::move(sheets)},
+          {"areas",
+           {{"part", answer.made.areas.part},
+            {"tools", answer.made.areas.tools},
+            {"result", answer.made.areas.result}}},
           {"volumes", steps.empty() ? Json(nullptr) : steps.back()},
           {"steps", steps},
           {"total",

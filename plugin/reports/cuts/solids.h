@@ -35,11 +35,16 @@ struct SolidAnswer {
 /// Notes what of the result was invalid as it was given, and which planes cut nothing of it.
 void note_faces(SolidAnswer& answer);
 
-/// Where the faces of a solid come from, those of the part first. Faces that two solids have in
-/// common stand twice among those of the result.
-std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
+/// Where the faces of a solid or a sheet come from, those of the part first. Faces that two solids
+/// have in common stand twice among those of the result.
+std::vector<occt::FaceOrigin> origins_of(const TopoDS_Shape& shape,
                                          const occt::SolidTrimResult& made, const occt::Model& part,
                                          const std::vector<const occt::Model*>& tools);
+
+/// The sheets of a result as parts, named as their first face's part, numbered where they are
+/// several, with names and colours of their faces.
+occt::Model sheets_model(const occt::SolidTrimResult& made, const occt::Model& part,
+                         const std::vector<const occt::Model*>& tools);
 
 /// The whole object, schema "blossom.solid/1".
 Json solid_report(const SolidAnswer& answer);

@@ -28,6 +28,7 @@
 #include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/shapes.h"
 #include "tests/plugin/cli/program.h"
 
@@ -322,6 +323,22 @@ TEST_F(TrimSolidsCommand, SplitsByASheet) {
   EXPECT_EQ(report["total"]["tools"], 0);
 }
 
+TEST_F(TrimSolidsCommand, CutsASheetByASolid) {
+  const gp_Pln level({0, 0, 1}, {0, 0, 1});
+  write(BRepBuilderAPI_MakeFace(level, -9, 9, -9, 9).Face(), "sheet.brep");
+  const Finished run = combine(
+      "sheet.brep", {"common", "-o", folder / "inside.step", "--json", folder / "inside.json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("1 sheet"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("areas: part 0, tools 324, result"), std::string::npos) << run.out;
+  const occt::Model inside = occt::read_model(folder / "inside.step");
+  EXPECT_EQ(inside.face_count(), 1);
+  const json report = json::parse(testing::text_of(folder / "inside.json"));
+  EXPECT_EQ(report["sheets"].size(), 1u);
+  EXPECT_TRUE(report["solids"].empty());
+  EXPECT_NEAR(report["areas"]["result"].get<double>(), occt::area(inside.face(1)), 1e-9);
+}
+
 TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
   EXPECT_NE(combine("ball.step", {"join"}).err.find("'join'"), std::string::npos);
   EXPECT_EQ(combine("ball.step", {"join"}).code, 2);
@@ -332,8 +349,7 @@ TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
   const Finished open = combine("bowl.brep", {"cut"});
   EXPECT_EQ(open.code, 2);
   EXPECT_NE(open.err.find("bowl.brep is no closed solid"), std::string::npos) << open.err;
-  EXPECT_NE(open.err.find("planes by --plane; a sheet may be a tool of --solid split, or cut faces "
-                          "with --keep"),
+  EXPECT_NE(open.err.find("a sheet takes nothing off a solid, split divides it by one"),
             std::string::npos)
       << open.err;
 }

@@ -12,6 +12,8 @@ test {
   claim "split gives two" [expr {[lindex [blsolid r split a b] 0] == 2 && [count_of r SOLID] == 2}]
   plane p 0 0 5 0 0 1
   mkface sheet p -5 15 -5 15
+  set answer [blsolid r common sheet a]
+  claim "a sheet is cut by a solid" [expr {[lrange $answer 0 1] eq "1 complete" && [near [lindex $answer 2] 100]}]
   claim "a sheet is no solid" [string match "*sheet is no closed solid*" [message_of blsolid r cut a sheet]]
   claim "an operation that is none is refused" \
       [string match "*'minus' is none of cut*" [message_of blsolid r minus a b]]

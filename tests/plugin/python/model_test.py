@@ -154,8 +154,16 @@ class KnownFigures(unittest.TestCase):
         halves = self.block.solid("split", wall)
         self.assertEqual(len(halves), 2)
         self.assertAlmostEqual(halves.volume, 60 * 40 * 20, places=6)
-        with self.assertRaisesRegex(ValueError, "a sheet may be a tool of split"):
+        with self.assertRaisesRegex(ValueError, "split divides it by one"):
             self.block.solid("cut", wall)
+
+    def test_sheets_are_cut(self):
+        wall = blossom.shape(np.array([[(-9, -9, 5), (-9, 99, 5)], [(99, -9, 5), (99, 99, 5)]], float))
+        inside = wall.solid("common", self.block)
+        self.assertAlmostEqual(inside.area, 60 * 40, places=6)
+        self.assertEqual(inside.volume, 0)
+        self.assertAlmostEqual(wall.solid("cut", self.block).area, 108 * 108 - 60 * 40, places=6)
+        self.assertAlmostEqual(self.block.solid("common", wall).model.area, 60 * 40, places=6)
 
     def test_a_box_is_sound(self):
         found = self.block.check()

@@ -92,17 +92,22 @@ Picture trim_picture(const Input& part, const std::vector<const Input*>& tools,
 Picture solids_picture(const std::string& title, const occt::SolidTrimResult& made) {
   Picture picture;
   picture.title = title;
-  picture.subtitle = counted(made.solids.size(), "solid") + ", volume " +
-                     number_text(rounded(made.total.result)) + " mm³";
+  std::vector<TopoDS_Shape> shapes(made.solids.begin(), made.solids.end());
+  shapes.insert(shapes.end(), made.sheets.begin(), made.sheets.end());
+  const std::string kind = made.sheets.empty() ? "solid" : "sheet";
+  picture.subtitle = counted(shapes.size(), kind);
+  picture.subtitle += made.sheets.empty()
+                          ? ", volume " + number_text(rounded(made.total.result)) + " mm³"
+                          : ", area " + number_text(rounded(made.areas.result)) + " mm²";
   TopTools_IndexedMapOfShape known;
   std::vector<int> tools;
   for (const occt::SolidFace& face : made.faces)
     if (known.Add(face.face) > static_cast<int>(tools.size())) tools.push_back(face.tool);
   std::vector<std::pair<TopoDS_Face, int>> faces;
-  for (std::size_t i = 0; i < made.solids.size(); ++i) {
-    const std::string name = "solid " + std::to_string(i + 1);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const std::string name = kind + ' ' + std::to_string(i + 1);
     PictureFaces group{{}, palette(i), kFirstOpacity, name};
-    for (TopExp_Explorer it(made.solids[i], TopAbs_FACE); it.More(); it.Next()) {
+    for (TopExp_Explorer it(shapes[i], TopAbs_FACE); it.More(); it.Next()) {
       const int number = known.FindIndex(it.Current());
       const int tool = number > 0 ? tools[static_cast<std::size_t>(number) - 1] : -1;
       group.faces.push_back(TopoDS::Face(it.Current()));

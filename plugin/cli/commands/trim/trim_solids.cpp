@@ -92,44 +92,37 @@ occt::Model model_of(const std::string& text, Json& repairs) {
 
 using Models = std::vector<occt::Model>;
 
-// Who takes a sheet for a tool is told what else there is.
-void check_solid(const occt::TrimTool& input, const std::string& name) {
-  if (input.is_solid()) return;
-  throw UsageError(name + " is no closed solid: " + occt::describe_open_shell(input) +
-                   "; --solid takes closed solids, and planes by --plane; a sheet may be a tool of "
-                   "--solid split, or cut faces with --keep");
-}
-
 occt::TrimTool named_tool(const occt::Model& model, const std::string& name) {
   occt::TrimTool tool = occt::trim_tool(model.shape());
   tool.name = name;
   return tool;
 }
 
-occt::TrimTool named_solid(const occt::Model& model, const std::string& name) {
-  occt::TrimTool tool = named_tool(model, name);
-  check_solid(tool, name);
-  return tool;
+// Who takes a sheet for a solid is told what else there is.
+void check_sheets(const occt::TrimTool& part, const std::vector<occt::TrimTool>& tools,
+                  occt::SolidOperation operation) {
+  if (const std::string cause = occt::misplaced_sheet(part, tools, operation); !cause.empty())
+    throw UsageError(cause);
 }
 
 TimedSolids timed_trim(const SolidTrim& options, const occt::Model& part, const Models& tools) {
   Progress progress("combining solids");
   const IntersectionOptions engine = intersection_options(options.engine, progress);
-  const occt::TrimTool solid = named_solid(part, options.part);
+  const occt::SolidOperation operation = *reports::solid_operation(options.operation);
+  const occt::TrimTool whole = named_tool(part, options.part);
   std::vector<occt::TrimTool> others;
   for (std::size_t i = 0; i < options.tools.size(); ++i)
-    others.push_back(options.operation == "split" ? named_tool(tools[i], options.tools[i])
-                                                  : named_solid(tools[i], options.tools[i]));
+    others.push_back(named_tool(tools[i], options.tools[i]));
   for (std::size_t i = 0; i < options.planes.size(); ++i)
     others.push_back(
         occt::half_space_tool(options.planes[i], part.shape(), reports::plane_name(i)));
+  check_sheets(whole, others, operation);
   const auto start = std::chrono::steady_clock::now();
   TimedSolids result{.part = options.part,
                      .tools = options.tools,
                      .planes = options.planes,
                      .operation = options.operation};
-  result.made =
-      occt::trim_solids(solid, others, *reports::solid_operation(options.operation), engine);
+  result.made = occt::trim_solids(whole, others, operation, engine);
   const auto seconds = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
@@ -140,11 +133,19 @@ TimedSolids timed_trim(const SolidTrim& options, const occt::Model& part, const 
   return result;
 }
 
+std::string counted_shapes(const occt::SolidTrimResult& made) {
+  return made.of_sheets ? counted(made.sheets.size(), "sheet")
+                        : counted(made.solids.size(), "solid");
+}
+
 // Of the inputs and the result, and how well those of all steps add up.
 std::string told_volumes(const SolidTrim& options, const occt::SolidTrimResult& made) {
   const auto number = [](double value) { return number_text(rounded(value)); };
   std::ostringstream text;
-  if (made.obstacles.empty()) {
+  if (made.obstacles.empty() && made.of_sheets) {
+    text << "  areas: part " << number(made.areas.part) << ", tools " << number(made.areas.tools)
+         << ", result " << number(made.areas.result) << " mm²\n";
+  } else if (made.obstacles.empty()) {
     text << "  volumes: part " << number(made.total.part);
     if (!options.tools.empty()) text << ", tools " << number(made.total.tools);
     text << ", result " << number(made.total.result) << " mm³\n";
@@ -168,7 +169,7 @@ std::string told_volumes(const SolidTrim& options, const occt::SolidTrimResult& 
 std::string summary(const SolidTrim& options, const TimedSolids& timed) {
   std::ostringstream text;
   text << options.part << ": " << options.operation << ", " << to_string(stated(timed.made.status))
-       << ", " << counted(timed.made.solids.size(), "solid") << ", " << timed.seconds << " s\n";
+       << ", " << counted_shapes(timed.made) << ", " << timed.seconds << " s\n";
   text << told_volumes(options, timed.made);
   if (timed.watertight) text << summary_of(*timed.watertight);
   for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";
@@ -189,11 +190,16 @@ occt::Model plane_model(const occt::Plane& plane, const occt::Model& part,
   return model;
 }
 
-// Puts the solids in the place of the part's, as the output file can have them.
-void replace_solids(occt::Model& part, const occt::SolidTrimResult& made, const Models& tools,
+// Puts the solids in the place of the part's, as the output file can have them; sheets take that of
+// the whole part.
+void replace_shapes(occt::Model& part, const occt::SolidTrimResult& made, const Models& tools,
                     const std::string& output) {
   std::vector<const occt::Model*> origins;
   for (const occt::Model& tool : tools) origins.push_back(&tool);
+  if (!made.sheets.empty()) {
+    part = reports::sheets_model(made, part, origins);
+    return;
+  }
   std::vector<occt::CombinedSolid> solids;
   for (const TopoDS_Solid& solid : made.solids)
     solids.push_back({solid, reports::origins_of(solid, made, part, origins)});
@@ -215,7 +221,7 @@ bool wants_shape(const CommonOptions& outputs) {
 // Why nothing is written though it was asked for; empty if nothing speaks against it.
 std::string reason_of(const occt::SolidTrimResult& made) {
   if (!made.obstacles.empty()) return made.obstacles.front();
-  return made.solids.empty() ? "the result is empty" : "";
+  return made.solids.empty() && made.sheets.empty() ? "the result is empty" : "";
 }
 
 void tell_no_solid(const CommonOptions& outputs, const std::string& reason) {
@@ -225,7 +231,7 @@ void tell_no_solid(const CommonOptions& outputs, const std::string& reason) {
 }
 
 int exit_code_of(const occt::SolidTrimResult& made, const CommonOptions& outputs) {
-  const bool missing = made.solids.empty() && wants_shape(outputs);
+  const bool missing = made.solids.empty() && made.sheets.empty() && wants_shape(outputs);
   return missing || !made.obstacles.empty() ? exit_code_unwritten(made.status)
                                             : exit_code(made.status);
 }
@@ -263,7 +269,7 @@ int trim_solids(const SolidTrim& options) {
   if (write && nets::is_net_file(outputs.output)) {
     write_plain_json(nets::nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
   } else if (write) {
-    replace_solids(part, timed.made, tools, outputs.output);
+    replace_shapes(part, timed.made, tools, outputs.output);
     write_model(part, outputs.output);
   }
   write_pictures(pictures);

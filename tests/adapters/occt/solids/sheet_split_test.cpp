@@ -27,7 +27,6 @@
 
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/solid_trim.h"
-#include "core/base/errors.h"
 #include "tests/support/measures.h"
 
 namespace blossom::occt {
@@ -142,14 +141,6 @@ TEST(SheetSplit, WhatHasOneBodyOnBothSidesDividesNothing) {
 
 TEST(SheetSplit, ASheetBesideThePartLeavesItWhole) {
   expect_split(cube(), {flat({1, 1, 5}, {0, 0, 1}, 5)}, {8});
-}
-
-TEST(SheetSplit, ASheetIsNoToolOfOtherOperations) {
-  for (const SolidOperation operation :
-       {SolidOperation::Cut, SolidOperation::Common, SolidOperation::Fuse})
-    EXPECT_THROW(
-        trim_solids(trim_tool(cube()), {trim_tool(flat({1, 1, 1}, {0, 0, 1}, 5))}, operation),
-        InvalidInput);
 }
 
 }  // namespace

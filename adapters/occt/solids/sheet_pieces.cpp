@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What is left of a sheet.
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/faces/area.h"
+#include "adapters/occt/solids/sheets.h"
+
+namespace blossom::occt {
+namespace {
+
+bool lies_on_other(SolidSide side) {
+  return side == SolidSide::Same || side == SolidSide::Opposite;
+}
+
+// The side of a piece is unknown where the tool is a sheet, which has no inside.
+bool is_left(SolidSide side, SolidOperation operation) {
+  const bool within = side == SolidSide::Inside || lies_on_other(side);
+  if (operation == SolidOperation::Cut) return !within;
+  return operation != SolidOperation::Common || within;
+}
+
+double area_of(const SolidPiece& piece) try {
+  return area(piece.face);
+} catch (const BadModel& error) {
+  throw Failure("a piece of face " + std::to_string(piece.from + 1) + ": " + error.what());
+}
+
+bool areas_add_up(const std::vector<SolidPiece>& pieces, const std::vector<TopoDS_Face>& faces) {
+  double whole = 0, sum = 0;
+  for (const TopoDS_Face& face : faces) whole += area(face);
+  for (const SolidPiece& piece : pieces) sum += area_of(piece);
+  return std::abs(sum - whole) <= kVolumeError * whole;
+}
+
+}  // namespace
+
+void take_sheet_pieces(const SolidPieces& pieces, const TrimTool& part, const TrimTool& tool,
+                       SolidOperation operation, SolidTrimResult& result) {
+  for (const SolidPiece& piece : pieces.a)
+    if (is_left(piece.side, operation)) result.faces.push_back({piece.face, -1, piece.from});
+  const bool fuse = operation == SolidOperation::Fuse;
+  if (fuse)
+    for (const SolidPiece& piece : pieces.b)
+      if (!lies_on_other(piece.side)) result.faces.push_back({piece.face, 0, piece.from});
+  if (!areas_add_up(pieces.a, part.faces) || (fuse && !areas_add_up(pieces.b, tool.faces)))
+    result.obstacles.emplace_back("the areas do not add up");
+}
+
+}  // namespace blossom::occt
