@@ -11,9 +11,13 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <Geom_ConicalSurface.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
+#include <ProjLib.hxx>
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
@@ -341,8 +345,44 @@ std::optional<double> contact_through(const RolledStrip& of, std::size_t side, d
   return best;
 }
 
+namespace {
+
+// The line in which two planes meet, between the points of it that are nearest to two given ones.
+// Surfaces of planes that are fitted round two near points are known to fewer digits than planes
+// are, the more so the further their parameters are from 0.
+std::optional<EndCurve> line_between(const gp_Pln& wall, const gp_Pln& face, const Vec3& from,
+                                     const Vec3& to, double reach) {
+  const Vec3 n = vec(wall.Axis().Direction().XYZ()), m = vec(face.Axis().Direction().XYZ());
+  const Vec3 along = cross(n, m);
+  const double sine2 = dot(along, along);
+  if (sine2 < Precision::Angular() * Precision::Angular()) return std::nullopt;
+  // From the point `from` to both planes, across the line.
+  const auto above = [&](const gp_Pln& plane, const Vec3& normal) {
+    return dot(from - vec(plane.Location().XYZ()), normal);
+  };
+  const double a = above(wall, n), b = above(face, m), c = dot(n, m);
+  const Vec3 foot = from - ((a - b * c) / sine2) * n - ((b - a * c) / sine2) * m;
+  const Vec3 way = unit(along);
+  const double length = dot(to - foot, way);
+  if (distance(foot, from) > reach || distance(foot + length * way, to) > reach || length == 0)
+    return std::nullopt;
+  EndCurve made;
+  const gp_Lin line(pnt(foot), dir(way));
+  made.curve = new Geom_Line(line);
+  made.on_strip = new Geom2d_Line(ProjLib::Project(wall, line));
+  made.on_face = new Geom2d_Line(ProjLib::Project(face, line));
+  made.forward = length > 0;
+  made.range = {std::min(0.0, length), std::max(0.0, length)};
+  return made;
+}
+
+}  // namespace
+
 std::optional<EndCurve> wall_curve_between(const TopoDS_Face& wall, const TopoDS_Face& face,
                                            const Vec3& from, const Vec3& to, double reach) {
+  const GeomAdaptor_Surface a(BRep_Tool::Surface(wall)), b(BRep_Tool::Surface(face));
+  if (a.GetType() == GeomAbs_Plane && b.GetType() == GeomAbs_Plane)
+    return line_between(a.Plane(), b.Plane(), from, to, reach);
   std::vector<Vec3> points;
   for (int i = 0; i <= kFootSamples; ++i)
     points.push_back(from + (static_cast<double>(i) / kFootSamples) * (to - from));
