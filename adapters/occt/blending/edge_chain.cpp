@@ -28,6 +28,9 @@ const char* cause_of(EdgeKind kind) {
   }
 }
 
+// Radians: edges that bend by less at a vertex are one to the eye.
+constexpr double kSlightBend = 0.1;
+
 int count_of_uses(const BodyEdges& body, int edge) {
   int count = 0;
   for (int face = 1; face <= body.face_count(); ++face)
@@ -76,7 +79,9 @@ std::vector<VertexSector> ring_at(const BodyEdges& body, const HalfEdge& half) {
 }
 
 // The one sharp edge in which another one goes on at an end; 0 if there is none, or several.
-int next_of(const BodyEdges& body, const HalfEdge& half, bool concave) {
+//
+// bend   of their directions at most, radians
+int next_of(const BodyEdges& body, const HalfEdge& half, bool concave, double bend) {
   const Vec3 back = -direction_at(body, half);
   int found = 0;
   const std::vector<VertexSector> ring = ring_at(body, half);
@@ -84,7 +89,7 @@ int next_of(const BodyEdges& body, const HalfEdge& half, bool concave) {
     const HalfEdge& other = ring[i].half;
     if (other.edge == half.edge) continue;
     const Vec3 ahead = direction_at(body, other);
-    if (std::atan2(norm(cross(back, ahead)), dot(back, ahead)) > kSmoothJoint) continue;
+    if (std::atan2(norm(cross(back, ahead)), dot(back, ahead)) > bend) continue;
     const EdgeKind kind = kind_of(body, other.edge);
     if (kind != (concave ? EdgeKind::Concave : EdgeKind::Convex)) continue;
     if (found > 0) return 0;
@@ -95,18 +100,32 @@ int next_of(const BodyEdges& body, const HalfEdge& half, bool concave) {
 
 }  // namespace
 
-FilletEdges smooth_chain(const BodyEdges& body, int edge) {
-  FilletEdges chain{{edge, is_concave(body, edge)}};
-  std::vector<int> open{edge};
+namespace {
+
+// A chain with all edges in which it goes on.
+FilletEdges grown_chain(const BodyEdges& body, FilletEdges chain, double bend) {
+  std::vector<int> open;
+  for (const auto& [edge, concave] : chain) open.push_back(edge);
   while (!open.empty()) {
     const int at = open.back();
     open.pop_back();
+    const bool concave = chain.at(at);
     for (const bool at_start : {true, false}) {
-      const int next = next_of(body, {at, at_start}, chain.at(edge));
-      if (next > 0 && chain.emplace(next, chain.at(edge)).second) open.push_back(next);
+      const int next = next_of(body, {at, at_start}, concave, bend);
+      if (next > 0 && chain.emplace(next, concave).second) open.push_back(next);
     }
   }
   return chain;
+}
+
+}  // namespace
+
+FilletEdges smooth_chain(const BodyEdges& body, int edge) {
+  return grown_chain(body, {{edge, is_concave(body, edge)}}, kSmoothJoint);
+}
+
+FilletEdges bent_chain(const BodyEdges& body, const FilletEdges& chain) {
+  return grown_chain(body, chain, kSlightBend);
 }
 
 namespace {

@@ -18,6 +18,10 @@ using FilletEdges = std::map<int, bool>;
 /// throws   FilletRefused if it, or one of those, cannot have a fillet
 FilletEdges smooth_chain(const BodyEdges& body, int edge);
 
+/// The chain with all edges in which it goes on with a slight bend, of at most 0.1 radians.
+/// throws   FilletRefused as `smooth_chain`
+FilletEdges bent_chain(const BodyEdges& body, const FilletEdges& chain);
+
 /// An edge on the way along a run.
 struct RunEdge {
   int edge = 0;

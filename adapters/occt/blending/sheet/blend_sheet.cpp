@@ -334,6 +334,8 @@ void BlendSheet::join(const Joint& joint) {
     const TopoDS_Vertex vertex = joint_vertex(of, side, t, joint.walked.over[walking]);
     cover(vertex, contact_point(next.strip, side_after, t_after), Precision::Confusion());
     end.vertices[side] = begin.vertices[side_after] = vertex;
+    if (const auto& over = joint.walked.over[walking])
+      end.over[side] = begin.over[side_after] = over->use->edge;
   }
   join_section(joint.before, joint.after);
 }

@@ -40,7 +40,8 @@ namespace blossom::occt {
 struct StripEnd {
   std::array<double, 2> t{};
   std::array<TopoDS_Vertex, 2> vertices;
-  std::array<int, 2> over{};   ///< edges that contacts go over here, past which their faces grow
+  /// Edges that contacts go over here: their crossings beside the end are none between the ends.
+  std::array<int, 2> over{};
   std::vector<PathEdge> path;  ///< from vertices[0] to vertices[1]
 };
 

@@ -23,10 +23,9 @@ FilletRefusal not_put_together(const std::exception& error) {
 
 }  // namespace
 
-FilletAttempt fillet_attempt(Filleting& work, const std::vector<FilletEdges>& chains,
-                             double radius) {
-  FilletEdges all;
-  for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
+namespace {
+
+FilletAttempt attempt(Filleting& work, const FilletEdges& all, double radius) {
   try {
     FilletAttempt made{guarded(kFilleting, [&] { return work.made(all, radius); }), {}, {}, {}};
     made.notes = work.notes();
@@ -41,6 +40,46 @@ FilletAttempt fillet_attempt(Filleting& work, const std::vector<FilletEdges>& ch
   } catch (const BadModel& error) {
     return {{}, {}, {}, not_put_together(error)};
   }
+}
+
+// The chains with edges in which they go on with a bend: all that were not among them.
+FilletEdges with_bends(const BodyEdges& body, const std::vector<FilletEdges>& chains,
+                       const FilletEdges& all) try {
+  FilletEdges grown = all;
+  for (const FilletEdges& chain : chains)
+    for (const auto& each : bent_chain(body, chain)) grown.insert(each);
+  return grown;
+} catch (const FilletRefused&) {
+  return all;
+}
+
+std::string bends_note(const FilletEdges& all, const FilletEdges& grown) {
+  std::string edges;
+  int count = 0;
+  for (const auto& [edge, concave] : grown) {
+    if (all.count(edge) > 0) continue;
+    edges += (count++ == 0 ? "" : ", ") + std::to_string(edge);
+  }
+  return std::string("the fillet goes on over slight bends in ") +
+         (count == 1 ? "edge " : "edges ") + edges + ": before them it cannot end";
+}
+
+}  // namespace
+
+FilletAttempt fillet_attempt(Filleting& work, const std::vector<FilletEdges>& chains,
+                             double radius) {
+  FilletEdges all;
+  for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
+  FilletAttempt made = attempt(work, all, radius);
+  if (!made.why || made.why->fault == FilletFault::Edge) return made;
+  const FilletEdges grown = with_bends(work.body(), chains, all);
+  if (grown.size() == all.size()) return made;
+  FilletAttempt further = attempt(work, grown, radius);
+  if (further.why) return made;
+  for (const auto& [edge, concave] : grown)
+    if (all.count(edge) == 0) further.gone_on.insert(edge);
+  further.notes.push_back(bends_note(all, grown));
+  return further;
 }
 
 bool is_own_fault(FilletFault fault) {

@@ -201,18 +201,15 @@ std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledSt
 
 namespace {
 
-// On which side of the contact the edge stays: the face lies to the left of the first contact of a
-// strip and to the right of the second, seen from outside.
-bool keeps_after(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
-                 const EdgeUseInFace& use, double t, double edge_parameter) {
+// How a contact and an edge cross in the chart of their face: the cross product of both rates.
+double crossing_rate(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
+                     const EdgeUseInFace& use, const PlanarCrossing& at) {
   gp_Pnt2d point;
   gp_Vec2d rate;
-  strip.contacts[side].chart->D1(t, point, rate);
+  strip.contacts[side].chart->D1(at.a, point, rate);
   const Vec2 scale = body.trims(use.face).scale;
-  const Vec2 edge = jet_at(use.coedge->curve, edge_parameter).first;
-  const bool reversed = body.face(use.face).Orientation() == TopAbs_REVERSED;
-  const double sign = (side == 0) != reversed ? 1 : -1;
-  return sign * cross(Vec2{rate.X() * scale[0], rate.Y() * scale[1]}, edge) > 0;
+  const Vec2 edge = jet_at(use.coedge->curve, at.b).first;
+  return cross(Vec2{rate.X() * scale[0], rate.Y() * scale[1]}, edge);
 }
 
 }  // namespace
@@ -230,8 +227,14 @@ std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const Roll
   std::vector<ContactCrossing> all;
   for (const EdgeUseInFace& use : body.uses(strip.contacts[side].face)) {
     if (use.coedge->degenerated || left_out.count(use.edge) > 0) continue;
-    for (const PlanarCrossing& each : meetings(body, strip, side, use, strip.range))
-      all.push_back({each.a, &use, each.b, keeps_after(body, strip, side, use, each.a, each.b)});
+    // The face lies to the left of the first contact of a strip and to the right of the second,
+    // seen from outside.
+    const bool reversed = body.face(use.face).Orientation() == TopAbs_REVERSED;
+    for (const PlanarCrossing& each : meetings(body, strip, side, use, strip.range)) {
+      const bool to_left = crossing_rate(body, strip, side, use, each) > 0;
+      all.push_back({each.a, &use, each.b, ((side == 0) != reversed) == to_left,
+                     to_left != use.coedge->reversed()});
+    }
   }
   std::sort(all.begin(), all.end(),
             [](const ContactCrossing& a, const ContactCrossing& b) { return a.t < b.t; });

@@ -41,6 +41,7 @@ struct ContactCrossing {
   const EdgeUseInFace* use = nullptr;
   double edge_parameter = 0;
   bool keep_after = true;  ///< what stays of the edge lies beyond the parameter
+  bool leaves = true;      ///< the face, as t grows
 };
 
 /// All crossings of a contact with the edges of its face but those left out, by t.
