@@ -212,6 +212,14 @@ TEST(FilletOfRealFaces, GoesOverASmoothEdgeWithAGap) {
     EXPECT_TRUE(BRepCheck_Analyzer(each.solid).IsValid());
 }
 
+// Its faces bend within the radius of the edge: the ball is followed to there, not guessed.
+TEST(FilletOfRealFaces, IsFoundWhereItsContactsAreFarFromThoseOfTheTangentPlanes) {
+  const std::filesystem::path wing = given_model("d150_wing.brep");
+  if (!std::filesystem::exists(wing)) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
+  const Model model = testing::repaired_model(wing);
+  expect_sound(fillet(model.shape(), {1}, {.radius = 0.187505, .largest = false}));
+}
+
 // Where determinants along a ball's way were noise, cusps were looked for without an end.
 TEST(FilletOfRealFaces, WithAFarTooLargeRadiusIsRefusedInAShortTime) {
   if (!std::filesystem::exists(propeller())) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";

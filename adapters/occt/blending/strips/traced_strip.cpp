@@ -348,7 +348,13 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
       of->refuse(FilletFault::LeavesFace, "the ball rolls only along a part of the edge", {});
     return of->strip(of->valid);
   }
-  of->start({of->supports.of[0].whole(), of->supports.of[1].whole()});
+  const std::array<BallSupport, 2> on{of->supports.of[0].whole(), of->supports.of[1].whole()};
+  // Where faces bend on the way to its contacts, the ball that is nearest to those of the edge's
+  // tangent planes may be another one.
+  if (const auto charts = ball_beside_edge(
+          on[0], on[1], profile.radius, {of->supports.of[0].at_edge, of->supports.of[1].at_edge}))
+    for (const std::size_t k : {0U, 1U}) of->supports.of[k].start = (*charts)[k];
+  of->start(on);
   const BallTrack& track = *of->track;
   const gp_Vec along = BRepAdaptor_Curve(body.edge(edge)).DN(at(domain, 0.5), 1);
   const double middle = track.nearest(of->supports.middle);
