@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@
 #include "adapters/occt/blending/sheet/fillet_attempt.h"
 #include "adapters/occt/blending/sheet/filleting.h"
 #include "adapters/occt/blending/sheet/largest_fillet.h"
+#include "adapters/occt/blending/strips/run_profiles.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {
@@ -30,9 +32,19 @@ void check_request(const BodyEdges& body, const std::vector<int>& edges,
     if (!(length > 0) || !std::isfinite(length))
       throw InvalidInput(std::string("fillet: the ") + what + " has to be positive and finite");
   };
-  check_length(options.radius, "radius");
-  if (options.law && !(options.law->extremes({0, 1}).from > 0))
-    throw InvalidInput("fillet: the law's radius has to be positive everywhere");
+  const auto check_radius = [&](const EdgeRadius& of) {
+    check_length(of.radius, "radius");
+    if (of.law && !(of.law->extremes({0, 1}).from > 0))
+      throw InvalidInput("fillet: the law's radius has to be positive everywhere");
+  };
+  check_radius({options.radius, options.law});
+  for (const auto& [edge, own] : options.own) {
+    check_radius(own);
+    if (options.chamfer) throw InvalidInput("fillet: chamfers have no radii");
+    if (std::ranges::find(edges, edge) == edges.end())
+      throw InvalidInput("fillet: edge " + std::to_string(edge) +
+                         " has a radius, but is not among the edges");
+  }
   if (options.section.kind == SectionKind::Chamfer)
     throw InvalidInput("fillet: chamfers have an option of their own");
   if (options.section.kind == SectionKind::Conic &&
@@ -68,6 +80,51 @@ std::vector<FilletEdges> chains_of(const BodyEdges& body, const std::vector<int>
   return chains;
 }
 
+// The radius that edges of a chain have of their own, if any; two that differ are refused.
+std::optional<std::pair<int, EdgeRadius>> own_radius(const FilletEdges& chain,
+                                                     const FilletOptions& options) {
+  std::optional<std::pair<int, EdgeRadius>> found;
+  for (const auto& [edge, concave] : chain) {
+    const auto own = options.own.find(edge);
+    if (own == options.own.end()) continue;
+    if (found && !is_same(found->second, own->second))
+      throw FilletRefused({FilletFault::Edge,
+                           edge,
+                           "edge " + std::to_string(found->first) +
+                               " goes on in it smoothly, and one fillet along both cannot have two "
+                               "radii; it may change from one to the other by a law",
+                           {},
+                           {},
+                           {}});
+    if (!found) found = *own;
+  }
+  return found;
+}
+
+// Radii of edges' own, for the whole chains of these; the notes name the edges that were asked for
+// without one.
+std::map<int, EdgeRadius> own_radii(std::vector<FilletEdges>& chains, const std::vector<int>& asked,
+                                    const FilletOptions& options, FilletResult& result) {
+  std::map<int, EdgeRadius> all;
+  std::erase_if(chains, [&](const FilletEdges& chain) {
+    try {
+      const auto own = own_radius(chain, options);
+      if (!own) return false;
+      for (const auto& [edge, concave] : chain) {
+        all.emplace(edge, own->second);
+        if (options.own.count(edge) == 0 && std::ranges::find(asked, edge) != asked.end())
+          result.notes.push_back("edge " + std::to_string(edge) + " has the radius of edge " +
+                                 std::to_string(own->first) + ", which goes on in it smoothly");
+      }
+      return false;
+    } catch (const FilletRefused& refusal) {
+      result.refused.push_back(refusal.why());
+      return true;
+    }
+  });
+  return all;
+}
+
 // The parameter of the edge at fault that is nearest to the place.
 void add_parameter(const BodyEdges& body, FilletRefusal& why) {
   if (why.edge < 1 || !why.point || why.parameter) return;
@@ -81,17 +138,54 @@ double size_of(const FilletOptions& options) {
   return options.chamfer ? options.chamfer->first : options.radius;
 }
 
+/// What a search for a radius that works changes.
+struct ChangedRadius {
+  double size = 1;
+  int edge = 0;  ///< of the chain whose radius it is, while others keep theirs; 0: of all edges
+};
+
+// Where edges have radii of their own, one is changed: that of the chain at fault, or else the
+// largest. Nothing if the radius is a law.
+std::optional<ChangedRadius> radius_to_change(Filleting& work,
+                                              const std::vector<FilletEdges>& chains,
+                                              std::optional<std::size_t> at_fault,
+                                              const FilletOptions& options) {
+  const std::map<int, EdgeRadius> own = work.own();
+  if (own.empty())
+    return options.law ? std::nullopt : std::optional(ChangedRadius{size_of(options)});
+  const auto radius_of = [&](const FilletEdges& chain) {
+    const auto known = own.find(chain.begin()->first);
+    return known == own.end() ? EdgeRadius{options.radius, options.law} : known->second;
+  };
+  std::size_t changed = at_fault.value_or(0);
+  for (std::size_t i = 0; i < chains.size() && !at_fault; ++i)
+    if (radius_of(chains[i]).radius > radius_of(chains[changed]).radius) changed = i;
+  const EdgeRadius of = radius_of(chains[changed]);
+  if (of.law) return std::nullopt;
+  std::map<int, EdgeRadius> kept = own;
+  for (const FilletEdges& chain : chains)
+    for (const auto& [each, concave] : chain)
+      kept.try_emplace(each, EdgeRadius{options.radius, options.law});
+  for (const auto& [each, concave] : chains[changed]) kept.erase(each);
+  work.set_own(std::move(kept));
+  return ChangedRadius{of.radius, chains[changed].begin()->first};
+}
+
 // The largest radius of the chain at fault, or of all where they cannot be rounded together.
 void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
                  const FilletOptions& options, FilletRefusal& why) {
-  const bool is_ball = !options.law && options.section.kind == SectionKind::Circle;
-  if (!options.largest || !is_ball || why.largest) return;
-  const auto at_fault = std::ranges::find_if(
-      chains, [&](const FilletEdges& chain) { return chain.count(why.edge) > 0; });
+  if (!options.largest || options.section.kind != SectionKind::Circle || why.largest) return;
+  std::optional<std::size_t> at_fault;
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    if (chains[i].count(why.edge) > 0) at_fault = i;
   std::vector<FilletEdges> asked = chains;
-  if (at_fault != chains.end() && (options.partial || is_own_fault(why.fault))) asked = {*at_fault};
+  if (at_fault && (options.partial || is_own_fault(why.fault))) asked = {chains[*at_fault]};
+  const std::map<int, EdgeRadius> own = work.own();
+  const auto changed = radius_to_change(work, chains, at_fault, options);
+  if (!changed) return;
   try {
-    const auto found = largest_fillet(work, asked, size_of(options), why);
+    const auto found = largest_fillet(work, asked, changed->size, why);
+    work.set_own(own);
     if (!found && why.fault != FilletFault::Edge)
       why.cause += std::string("; of the smaller ") + (options.chamfer ? "distances" : "radii") +
                    " tried none works either";
@@ -99,8 +193,11 @@ void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
     why.largest = found->radius;
     why.of_chamfer = options.chamfer.has_value();
     if (!found->stopped.empty()) why.cause += "; larger balls are stopped by " + found->stopped;
+    if (changed->edge > 0 && changed->edge != why.edge)
+      why.cause += "; smaller radii of edge " + std::to_string(changed->edge) +
+                   " were tried, while others kept theirs";
   } catch (const LimitFailure&) {
-    // The refusal stands without it.
+    work.set_own(own);  // the refusal stands without it
   }
 }
 
@@ -146,6 +243,7 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
   check_request(work.body(), edges, options);
   if (options.volumes) result.volume_before = work.volume_given();
   std::vector<FilletEdges> chains = chains_of(work.body(), edges, result.refused);
+  work.set_own(own_radii(chains, edges, options, result));
   const auto refuse = [&](const FilletRefusal& why) {
     result.refused.push_back(why);
     add_parameter(work.body(), result.refused.back());
@@ -167,7 +265,7 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
         made = as_many_as_work(work, chains, size_of(options), refuse);
       }
       result.solids = std::move(made.solids);
-      result.notes = std::move(made.notes);
+      result.notes.insert(result.notes.end(), made.notes.begin(), made.notes.end());
       for (const FilletEdges& chain : chains)
         for (const auto& [edge, concave] : chain) result.edges.push_back(edge);
       for (const int edge : made.gone_on)

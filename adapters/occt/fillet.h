@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,12 +68,21 @@ struct ChamferSize {
   std::optional<double> angle{};  ///< radians, in (0, pi)
 };
 
+/// How large a fillet is along a run of edges.
+struct EdgeRadius {
+  double radius = 1;               ///< model units; of no account with a law
+  std::optional<RadiusLaw> law{};  ///< along the run, as in `FilletOptions`
+};
+
 struct FilletOptions {
   double radius = 1;  ///< model units; of no account with a law
   /// Radii along each run of edges, over [0, 1]: the share of the run's length from its start, and
   /// within an edge linear in the edge's parameter. Runs start where their edge of the least number
   /// does.
   std::optional<RadiusLaw> law{};
+  /// Radii of some edges' own, by number, in place of those above. They hold along all edges in
+  /// which these go on smoothly: two of one run that differ are refused.
+  std::map<int, EdgeRadius> own{};
   FilletSection section{};
   /// Chamfers in place of fillets. The first distance is on the face of the smaller number at the
   /// edge of the least number of a run, and on that side all along the run.
@@ -85,6 +95,12 @@ struct FilletOptions {
   /// distance of a chamfer: the edges are rounded, or cut off, with some more of them.
   bool largest = true;
   IntersectionOptions intersection{};
+
+  /// Of an edge by number.
+  EdgeRadius radius_of(int edge) const {
+    const auto known = own.find(edge);
+    return known == own.end() ? EdgeRadius{radius, law} : known->second;
+  }
 };
 
 /// A face of a result and where it comes from. Numbers are those of the shape.
@@ -119,8 +135,9 @@ struct FilletResult {
 ///
 /// shape    solids, faces turned outwards
 /// edges    numbers as in `edge_facts`
-/// throws   InvalidInput if there is no edge of such a number, none is given, or the radius is not
-///          positive and finite, a law's below 0 somewhere, rho or an angle outside of its range;
+/// throws   InvalidInput if there is no edge of such a number, none is given, a radius is not
+///          positive and finite, a law's below 0 somewhere, rho or an angle outside of its range,
+///          or an edge has a radius of its own that is not among the edges or is to be cut off;
 ///          BadModel if a face cannot be used
 FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
                     const FilletOptions& options = {});

@@ -55,6 +55,9 @@ class RadiusLaw {
   /// make it constant.
   RadiusLaw over(const Interval& part, const Interval& range) const;
 
+  /// Of the same kind, with the same numbers.
+  bool operator==(const RadiusLaw& other) const = default;
+
  private:
   std::size_t piece_at(double parameter) const;
 

@@ -2,6 +2,7 @@
 #include "adapters/occt/blending/sheet/fillet_order.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -16,7 +17,7 @@ constexpr std::size_t kOrdered = 3;
 // Groups of edges as the classes of a partition, and which come before which.
 class Order {
  public:
-  Order(const BodyEdges& body, const FilletEdges& edges);
+  Order(const BodyEdges& body, const FilletEdges& edges, const FilletOptions& options);
   std::vector<FilletEdges> groups(const FilletEdges& edges) const;
 
  private:
@@ -30,7 +31,24 @@ class Order {
   std::vector<std::pair<int, int>> before_;
 };
 
-Order::Order(const BodyEdges& body, const FilletEdges& edges) {
+// Of three edges that have balls, the one with a larger ball than the two others, whose balls are
+// alike; 0 for none.
+int with_larger_ball(const std::vector<int>& edges, const FilletOptions& options) {
+  if (edges.size() != 3 || options.own.empty()) return 0;
+  std::array<double, 3> radii{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const EdgeRadius of = options.radius_of(edges[i]);
+    if (of.law) return 0;
+    radii[i] = of.radius;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double a = radii[(i + 1) % 3], b = radii[(i + 2) % 3];
+    if (a == b && radii[i] > a) return edges[i];
+  }
+  return 0;
+}
+
+Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOptions& options) {
   for (const auto& [edge, concave] : edges) places_.emplace(edge, static_cast<int>(places_.size()));
   classes_.resize(places_.size());
   std::iota(classes_.begin(), classes_.end(), std::size_t{0});
@@ -42,6 +60,14 @@ Order::Order(const BodyEdges& body, const FilletEdges& edges) {
         const auto known = edges.find(each.half.edge);
         if (known == edges.end()) continue;
         (known->second == concave ? alike : others).push_back(known->first);
+      }
+      if (const int larger = ring.size() == 3 ? with_larger_ball(alike, options) : 0) {
+        for (const int each : alike)
+          if (each != larger && edge != larger) unite(edge, each);
+        if (edge == larger)
+          for (const int each : alike)
+            if (each != larger) before_.emplace_back(edge, each);
+        continue;
       }
       for (const int each : alike) unite(edge, each);
       const bool first = ring.size() <= kOrdered && alike.size() == 1 &&
@@ -81,8 +107,9 @@ std::vector<FilletEdges> Order::groups(const FilletEdges& edges) const {
 
 }  // namespace
 
-std::vector<FilletEdges> fillet_order(const BodyEdges& body, const FilletEdges& edges) {
-  return Order(body, edges).groups(edges);
+std::vector<FilletEdges> fillet_order(const BodyEdges& body, const FilletEdges& edges,
+                                      const FilletOptions& options) {
+  return Order(body, edges, options).groups(edges);
 }
 
 }  // namespace blossom::occt

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// In which order edges get their fillets where convex and concave ones meet.
+// In which order edges get their fillets where those of several kinds or radii meet.
 
 #pragma once
 
 #include <vector>
 
 #include "adapters/occt/blending/edge_chain.h"
+#include "adapters/occt/fillet.h"
 
 namespace blossom::occt {
 
@@ -15,6 +16,11 @@ namespace blossom::occt {
 /// ends in a face that the others have in common, and they go on smoothly along that end. Edges of
 /// one kind that meet are of one group, as their corners need all of them. Where these rules
 /// contradict each other all edges are one group.
-std::vector<FilletEdges> fillet_order(const BodyEdges& body, const FilletEdges& edges);
+///
+/// But of three edges of one kind at a vertex, two of which have one radius, the third one comes
+/// first if its own is larger: the smaller ball rolls on along the end of the larger one's strip,
+/// in which it fits.
+std::vector<FilletEdges> fillet_order(const BodyEdges& body, const FilletEdges& edges,
+                                      const FilletOptions& options);
 
 }  // namespace blossom::occt

@@ -125,16 +125,24 @@ double Filleting::change(const SolidPart& part, const std::vector<TrimmedFace>& 
   return change;
 }
 
+// The least along the edge.
+double Filleting::square_of_radius(int edge) const {
+  const EdgeRadius of = options_.radius_of(edge);
+  const double radius = of.law ? of.law->extremes({0, 1}).from : of.radius;
+  return radius * radius;
+}
+
 // The same, only as exact as its sign needs where no volumes are wanted. A ball takes some tenth of
 // r^2 from each unit of an edge, much less where the faces meet at a small angle.
 double Filleting::sure_change(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                               const FilletEdges& edges) {
   if (!options_.volumes && !options_.chamfer) {
-    double length = 0;
+    double size = 0;
     for (const auto& [edge, concave] : edges)
-      length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body_.edge(edge)));
+      size += square_of_radius(edge) *
+              GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body_.edge(edge)));
     for (const double share : kShares) {
-      const double enough = share * options_.radius * options_.radius * length;
+      const double enough = share * size;
       const double change = this->change(part, faces, enough);
       if (std::abs(change) > kSure * enough) return change;
     }
@@ -218,10 +226,18 @@ Filleting::Renamed Filleting::renamed(const Filleting& next, const Grouped& done
                              std::nullopt,
                              {}});
       renamed.of.emplace(number, edge);
+      if (const auto own = options_.own.find(edge); own != options_.own.end())
+        renamed.own.emplace(number, own->second);
     }
   }
-  for (const auto& [number, edge] : renamed.of)
-    renamed.edges.merge(smooth_chain(next.body(), number));
+  const std::map<int, EdgeRadius> named = renamed.own;
+  for (const auto& [number, edge] : renamed.of) {
+    const FilletEdges chain = smooth_chain(next.body(), number);
+    if (const auto own = named.find(number); own != named.end())
+      for (const auto& [each, concave] : chain)
+        if (renamed.of.count(each) == 0) renamed.own.emplace(each, own->second);
+    renamed.edges.insert(chain.begin(), chain.end());
+  }
   return renamed;
 }
 
@@ -229,6 +245,7 @@ Filleting::Renamed Filleting::renamed(const Filleting& next, const Grouped& done
 FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group) {
   Filleting next(done.made.solid, options_, limit_);
   Renamed in_next = renamed(next, done, group);
+  next.set_own(in_next.own);
   const auto old_number = [&](int number) {
     const auto known = in_next.of.find(number);
     return known == in_next.of.end() ? 0 : known->second;
@@ -293,7 +310,7 @@ std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges, double size
       all.push_back(std::move(kept));
       continue;
     }
-    const std::vector<FilletEdges> groups = fillet_order(body_, own);
+    const std::vector<FilletEdges> groups = fillet_order(body_, own, options_);
     Grouped done = with_group(part, groups.front());
     if (groups.size() > 1) {
       FilletEdges others;

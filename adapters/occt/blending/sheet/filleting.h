@@ -62,9 +62,12 @@ class Filleting {
 
   /// All these edges, or a refusal.
   ///
-  /// size   in place of the radius of the options, or of the first distance of a chamfer, to which
-  ///        the second one keeps its ratio; model units
+  /// size   in place of the radius of the options, for edges without one of their own, or of the
+  ///        first distance of a chamfer, to which the second one keeps its ratio; model units
   std::vector<FilletedSolid> made(const FilletEdges& edges, double size);
+  /// Radii of edges' own, from now on.
+  void set_own(std::map<int, EdgeRadius> own) { options_.own = std::move(own); }
+  const std::map<int, EdgeRadius>& own() const { return options_.own; }
   bool is_chamfer() const { return options_.chamfer.has_value(); }
   /// Of what was made last.
   const std::vector<std::string>& notes() const { return notes_; }
@@ -89,9 +92,11 @@ class Filleting {
   struct Renamed {
     FilletEdges edges;      // with those in which they go on
     std::map<int, int> of;  // numbers before, by numbers now
+    std::map<int, EdgeRadius> own{};
   };
   int number_before(const TopoDS_Edge& edge, const Grouped& done) const;
   Renamed renamed(const Filleting& next, const Grouped& done, const FilletEdges& group) const;
+  double square_of_radius(int edge) const;
   FilletedSolid with_next(const Grouped& done, const FilletEdges& group);
   const TopoDS_Face& face_given(int number) const {
     return faces_given_[static_cast<std::size_t>(number) - 1];

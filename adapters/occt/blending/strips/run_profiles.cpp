@@ -2,6 +2,7 @@
 #include "adapters/occt/blending/strips/run_profiles.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -18,7 +19,27 @@ std::size_t leading(const EdgeRun& run) {
   return static_cast<std::size_t>(least - run.edges.begin());
 }
 
+[[noreturn]] void refuse(int edge, const std::string& cause) {
+  throw FilletRefused({FilletFault::Edge, edge, cause, std::nullopt, std::nullopt, {}});
+}
+
+// The one radius or law of all edges of a run.
+EdgeRadius common_radius(const EdgeRun& run, const FilletOptions& options) {
+  const RunEdge& first = run.edges.front();
+  const EdgeRadius common = options.radius_of(first.edge);
+  for (const RunEdge& each : run.edges)
+    if (!is_same(options.radius_of(each.edge), common))
+      refuse(each.edge, "it goes on smoothly in edge " + std::to_string(first.edge) +
+                            ", and one fillet along both cannot have two radii");
+  return common;
+}
+
 }  // namespace
+
+bool is_same(const EdgeRadius& a, const EdgeRadius& b) {
+  if (!a.law && !b.law) return a.radius == b.radius;
+  return a.law && b.law && *a.law == *b.law;
+}
 
 RunProfiles::RunProfiles(const BodyEdges& body, const EdgeRun& run, const FilletOptions& options)
     : run_(run), options_(options) {
@@ -33,13 +54,9 @@ RunProfiles::RunProfiles(const BodyEdges& body, const EdgeRun& run, const Fillet
     chamfer_.distance[1 - chamfer_.given] = size.second.value_or(size.first);
     chamfer_.angle = size.angle;
   }
-  if (options.law && run.closed && !options.law->is_constant())
-    throw FilletRefused({FilletFault::Edge,
-                         first.edge,
-                         "it closes a run of edges, along which the radius cannot change",
-                         std::nullopt,
-                         std::nullopt,
-                         {}});
+  const EdgeRadius common = common_radius(run, options);
+  if (common.law && run.closed && !common.law->is_constant())
+    refuse(first.edge, "it closes a run of edges, along which the radius cannot change");
   std::vector<double> lengths{0};
   for (const RunEdge& each : run.edges)
     lengths.push_back(lengths.back() +
@@ -49,11 +66,11 @@ RunProfiles::RunProfiles(const BodyEdges& body, const EdgeRun& run, const Fillet
     return first.forward ? share : 1 - share;
   };
   for (std::size_t i = 0; i < run.edges.size(); ++i) {
-    StripProfile profile{.radius = options.radius, .section = options.section};
-    if (options.law) {
+    StripProfile profile{.radius = common.radius, .section = options.section};
+    if (common.law) {
       Interval part{share_at(lengths[i]), share_at(lengths[i + 1])};
       if (!run.edges[i].forward) std::swap(part.from, part.to);
-      profile.law = options.law->over(part, {0, 1});
+      profile.law = common.law->over(part, {0, 1});
       profile.radius = profile.law->extremes({0, 1}).to;
     }
     of_.push_back(std::move(profile));
@@ -78,7 +95,7 @@ RolledStrip RunProfiles::strip(const BodyEdges& body, std::size_t place) const {
 }
 
 std::optional<StripProfile> RunProfiles::everywhere() const {
-  if (options_.chamfer || options_.law) return std::nullopt;
+  if (options_.chamfer || of_.front().law) return std::nullopt;
   return of_.front();
 }
 

@@ -13,9 +13,12 @@
 
 namespace blossom::occt {
 
+/// Whether two edges have one radius, or one law.
+bool is_same(const EdgeRadius& a, const EdgeRadius& b);
+
 class RunProfiles {
  public:
-  /// throws   FilletRefused if a closed run should have two radii
+  /// throws   FilletRefused if edges have different radii, or those of a closed run change
   RunProfiles(const BodyEdges& body, const EdgeRun& run, const FilletOptions& options);
 
   /// The strip of an edge of the run.
