@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -155,19 +156,30 @@ void add_strip(py::module_& module) {
 using FacePair = std::optional<std::pair<int, int>>;
 using MaybeNumber = std::optional<double>;
 
+/// Edges with radii, or laws as JSON.
+using OwnRadii = std::vector<std::tuple<int, double, std::string>>;
+
+occt::EdgeRadius radius_of(double radius, const std::string& law) {
+  if (law.empty()) return {radius, {}};
+  return {radius, reports::radius_law(law)};
+}
+
 void add_edge_blends(py::module_& module) {
   module.def(
       "fillet",
       [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,
-         const FacePair& between, double radius, const std::string& law, const std::string& section,
-         bool partial, const Control& control) {
-        occt::FilletOptions of{
-            .radius = radius, .section = reports::fillet_section(section), .partial = partial};
-        if (!law.empty()) of.law = reports::radius_law(law);
+         const FacePair& between, double radius, const std::string& law, const OwnRadii& own,
+         const std::string& section, bool partial, const Control& control) {
+        const occt::EdgeRadius common = radius_of(radius, law);
+        occt::FilletOptions of{.radius = common.radius,
+                               .law = common.law,
+                               .section = reports::fillet_section(section),
+                               .partial = partial};
+        for (const auto& [edge, number, along] : own) of.own[edge] = radius_of(number, along);
         return blend_edges(part, {edges, kind, between}, of, control);
       },
       arg("part"), arg("edges"), arg("kind"), arg("between"), arg("radius"), arg("law"),
-      arg("section"), arg("partial"), arg("control"));
+      arg("own"), arg("section"), arg("partial"), arg("control"));
   module.def(
       "chamfer",
       [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,

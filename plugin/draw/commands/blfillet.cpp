@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// blfillet result solid radius|from..to all|convex|concave|edge [edge ...]
+// blfillet result solid radius|from..to all|convex|concave|edge[:radius] [edge ...]
 
 #include <string>
 
@@ -14,16 +14,19 @@ namespace {
 std::string fillet_answer(const Words& words) {
   require(words.size() >= 4);
   occt::FilletOptions options;
-  reports::read_radius(words[2], options);
+  const occt::EdgeRadius of = reports::edge_radius(words[2]);
+  options.radius = of.radius;
+  options.law = of.law;
   return blended_edges(words, options);
 }
 
 }  // namespace
 
 const Command kBlfillet{
-    "blfillet", "result solid radius|from..to all|convex|concave|edge [edge ...]",
+    "blfillet", "result solid radius|from..to all|convex|concave|edge[:radius] [edge ...]",
     "\n\t\t: edges of solids rounded by a ball that rolls along them; 2..5: from 2 at the start"
-    "\n\t\t: of a run of edges to 5 at its end. Edges by their numbers in blinfo, that is in the"
+    "\n\t\t: of a run of edges to 5 at its end; 7:3 and 7:2..5: edge 7 has its own. Edges by their "
+    "numbers in blinfo, that is in the"
     "\n\t\t: order of explode. The answer is how many edges were rounded, and the volumes before"
     "\n\t\t: and after. Where one cannot be rounded the error says why.",
     fillet_answer};

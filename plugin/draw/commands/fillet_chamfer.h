@@ -10,10 +10,10 @@
 
 namespace blossom::draw {
 
-/// Blends edges: words are the result, the solid, the size, and edges: numbers, or "all", "convex"
-/// or "concave".
+/// Blends edges: words are the result, the solid, the size, and edges: numbers, "7:3" with a
+/// radius of its own, or "all", "convex" or "concave".
 /// returns   how many edges were changed, volumes before and after
 /// throws    WrongWords; Failure with the place and the cause where an edge is refused
-std::string blended_edges(const Words& words, const occt::FilletOptions& options);
+std::string blended_edges(const Words& words, occt::FilletOptions options);
 
 }  // namespace blossom::draw

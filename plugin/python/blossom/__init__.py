@@ -53,7 +53,7 @@ from ._intersections import (
     SelfIntersection,
 )
 from ._meshes import Mesh
-from ._model import FileName, Model, Radius, model_of
+from ._model import FileName, Model, Radii, Radius, model_of
 from ._queries import (
     Check,
     Continuity,
@@ -338,7 +338,7 @@ def fillet(
     shape: Any,
     edges: Any = (),
     *,
-    radius: Optional[Radius] = None,
+    radius: Optional[Radii] = None,
     between: Any = None,
     **options: Any,
 ) -> Fillet:

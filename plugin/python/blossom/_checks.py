@@ -206,21 +206,6 @@ def radii(value: Any, name: str) -> Tuple[float, Optional[float]]:
     return first, last
 
 
-def radius_and_law(radius: Any, law: Any) -> Tuple[float, str]:
-    """The radius, and a law as JSON; a pair of radii is a law, too."""
-    if (radius is None) == (law is None):
-        raise TypeError("fillet: a radius or a law is wanted, and just one of them")
-    if law is None:
-        first, last = radii(radius, "radius")
-        return first, "" if last is None else json.dumps({"law": "linear", "radii": [first, last]})
-    if not isinstance(law, Mapping):
-        raise TypeError(f"law: a mapping is wanted, got {kind(law)}")
-    try:
-        return 1.0, json.dumps(dict(law))
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"law: {error}") from None
-
-
 def section(value: Any, name: str) -> str:
     """ "circle", "conic:0.4" or "g2"."""
     told = text(value, name)
@@ -360,6 +345,46 @@ def edge_wish(question: str, chosen: Any, between: Any) -> EdgeWish:
     if not listed and not word_of and pair is None:
         raise ValueError(f"{question} needs edges, or two faces that they are between")
     return listed, word_of, pair
+
+
+OwnRadii = List[Tuple[int, float, str]]
+
+
+def fillet_size(radius: Any, law: Any, wish: EdgeWish) -> Tuple[float, str, OwnRadii]:
+    """The radius, or a law as JSON, and what edges have in place of these: their numbers with one
+    or the other."""
+    if (radius is None) == (law is None):
+        raise TypeError("fillet: a radius or a law is wanted, and just one of them")
+    if law is not None:
+        return (*_radius_or_law(law, "law"), [])
+    if not isinstance(radius, Mapping):
+        return (*_radius_or_law(radius, "radius"), [])
+    own = []
+    for edge, each in radius.items():
+        if edge is not None:
+            (number,) = numbers_of([edge], "radius", "edge")
+            own.append((number, *_radius_or_law(each, f"radius: edge {number}")))
+    listed, word, between = wish
+    if None in radius:
+        return (*_radius_or_law(radius[None], "radius: None"), own)
+    without = sorted({*listed} - {edge for edge, _, _ in own})
+    if word or between or without:
+        which = f"edge {without[0]} has" if without else "some edges have"
+        raise ValueError(f"radius: {which} none; that of all others is wanted, as {{None: 2}}")
+    return 1.0, "", own
+
+
+def _radius_or_law(value: Any, name: str) -> Tuple[float, str]:
+    """A radius, or a law as JSON; a pair of radii is a law, too."""
+    if isinstance(value, Mapping):
+        try:
+            return 1.0, json.dumps(dict(value))
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"{name}: {error}") from None
+    if name == "law":
+        raise TypeError(f"law: a mapping is wanted, got {kind(value)}")
+    first, last = radii(value, name)
+    return first, "" if last is None else json.dumps({"law": "linear", "radii": [first, last]})
 
 
 _KNOWN_OPTIONS = (

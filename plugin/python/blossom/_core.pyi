@@ -194,6 +194,7 @@ def fillet(
     between: Optional[Tuple[int, int]],
     radius: float,
     law: str,
+    own: List[Tuple[int, float, str]],
     section: str,
     partial: bool,
     control: Control,

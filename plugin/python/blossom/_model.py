@@ -15,6 +15,8 @@ from ._sections import Section, Sections
 
 FileName = Union[str, "os.PathLike[str]"]
 Radius = Union[float, Tuple[float, float]]
+# Of all edges, or of edges by number, of those without by None; laws are mappings, too.
+Radii = Union[Radius, Mapping[Optional[int], Union[Radius, Mapping[str, Any]]]]
 
 
 class Model(_results.MadeShape):
@@ -313,7 +315,7 @@ class Model(_results.MadeShape):
         self,
         edges: Any = (),
         *,
-        radius: Optional[Radius] = None,
+        radius: Optional[Radii] = None,
         law: Optional[Mapping[str, Any]] = None,
         section: str = "circle",
         between: Any = None,
@@ -323,7 +325,8 @@ class Model(_results.MadeShape):
         """Edges of solids rounded by a ball that rolls along them.
 
         edges     numbers, as in "Edge1", or "all", "convex" or "concave"
-        radius    a number; or a pair, from the start to the end of each run of edges
+        radius    a number; or a pair, from the start to the end of each run of edges; or a mapping
+                  of edges to their own, of None to that of all others: {12: 5, 14: (2, 4), None: 1}
         law       instead of it {"law": "smooth", "radii": [2, 5]}, or "linear", or "table" with
                   shares of the run's length, as {"law": "table", "at": [0, 0.3, 1], "radii": ...}
         section   "circle"; "conic:0.4": how far the shoulder is on the way from the chord to where
@@ -332,10 +335,15 @@ class Model(_results.MadeShape):
         between   two face numbers: the edges that they have in common
         partial   round the edges that can be, instead of all or none; see `refused`
         """
+        if isinstance(radius, Mapping) and between is None and not isinstance(edges, str):
+            edges = list(edges) or [edge for edge in radius if edge is not None]
         chosen = _checks.edge_wish("fillet", edges, between)
-        size = (*_checks.radius_and_law(radius, law), _checks.section(section, "section"))
+        size = _checks.fillet_size(radius, law, chosen)
+        across = _checks.section(section, "section")
         whole = _checks.flag(partial, "partial")
-        return Fillet(_core.fillet(self._core, *chosen, *size, whole, _checks.control(options)))
+        return Fillet(
+            _core.fillet(self._core, *chosen, *size, across, whole, _checks.control(options))
+        )
 
     def chamfer(
         self,

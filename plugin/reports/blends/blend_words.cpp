@@ -2,9 +2,11 @@
 #include "plugin/reports/blends/blend_words.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <system_error>
 #include <vector>
 
 #include "core/base/errors.h"
@@ -49,13 +51,24 @@ std::vector<double> numbers_of(const Json& law, const char* name) {
 
 }  // namespace
 
-void read_radius(const std::string& word, occt::FilletOptions& of) {
-  if (const auto both = parted(word, "..")) {
-    const double first = positive_number((*both)[0], word);
-    of.law = RadiusLaw::linear({0, 1}, first, positive_number((*both)[1], word));
-  } else {
-    of.radius = positive_number(word, word);
-  }
+occt::EdgeRadius edge_radius(const std::string& word) {
+  const auto both = parted(word, "..");
+  if (!both) return {positive_number(word, word), {}};
+  const double first = positive_number((*both)[0], word);
+  return {1, RadiusLaw::linear({0, 1}, first, positive_number((*both)[1], word))};
+}
+
+void choose_edge(const std::string& word, EdgeChoice& choice) {
+  const auto with_radius = parted(word, ":");
+  const std::string& number = with_radius ? (*with_radius)[0] : word;
+  int edge = 0;
+  const char* const end = number.data() + number.size();
+  const auto read = std::from_chars(number.data(), end, edge);
+  if (read.ec != std::errc() || read.ptr != end)
+    throw InvalidInput("\"" + word + "\" is no edge: 12, or 12:5 with a radius, is wanted");
+  choice.edges.push_back(edge);
+  if (with_radius && !choice.own.emplace(edge, edge_radius((*with_radius)[1])).second)
+    throw InvalidInput("edge " + number + " has two radii");
 }
 
 RadiusLaw radius_law(const std::string& json) {

@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "adapters/occt/fillet.h"
 
@@ -11,7 +13,17 @@ namespace blossom::reports {
 
 /// "2", or "2..5" from the start to the end of a run of edges.
 /// throws   InvalidInput if it is none of these, or a number is not positive
-void read_radius(const std::string& word, occt::FilletOptions& of);
+occt::EdgeRadius edge_radius(const std::string& word);
+
+/// Edges by number, and the radii that some of them have.
+struct EdgeChoice {
+  std::vector<int> edges{};
+  std::map<int, occt::EdgeRadius> own{};
+};
+
+/// "12", "12:5" with a radius of its own, or "12:2..5".
+/// throws   InvalidInput if it is none of these, or the edge has another radius already
+void choose_edge(const std::string& word, EdgeChoice& choice);
 
 /// A law as JSON: `law` is "linear", "smooth" or "table", `radii` its numbers, of a table with the
 /// shares `at` of the run's length, from 0 to 1, where they are.

@@ -2,6 +2,7 @@
 #include "plugin/reports/blends/fillet.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -37,15 +38,33 @@ Json law_json(const std::optional<RadiusLaw>& law) {
   return {{"law", to_string(law->kind())}, {"at", at}, {"radii", radii}};
 }
 
+// Whether an edge was asked for that has no radius of its own.
+bool has_common_radius(const FilletAnswer& answer) {
+  return std::ranges::any_of(answer.asked,
+                             [&](int edge) { return answer.of.own.count(edge) == 0; });
+}
+
+Json own_json(const std::map<int, occt::EdgeRadius>& own) {
+  Json radii = Json::array();
+  for (const auto& [edge, of] : own)
+    radii.push_back({{"edge", edge},
+                     {"radius", of.law ? Json(nullptr) : Json(of.radius)},
+                     {"law", law_json(of.law)}});
+  return radii;
+}
+
 // What was asked for across the edges.
-Json size_json(const occt::FilletOptions& of) {
+Json size_json(const FilletAnswer& answer) {
+  const occt::FilletOptions& of = answer.of;
   if (const auto& chamfer = of.chamfer)
     return {{"distance", chamfer->first},
             {"second_distance", number_or_null(chamfer->second)},
             {"angle", number_or_null(chamfer->angle)}};
   const bool conic = of.section.kind == SectionKind::Conic;
-  return {{"radius", of.law ? Json(nullptr) : Json(of.radius)},
+  const bool common = has_common_radius(answer) && !of.law;
+  return {{"radius", common ? Json(of.radius) : Json(nullptr)},
           {"law", law_json(of.law)},
+          {"radii", own_json(of.own)},
           {"section", section_name(of.section)},
           {"rho", conic ? Json(of.section.rho) : Json(nullptr)}};
 }
@@ -113,7 +132,7 @@ Json fillet_report(const Input& part, const FilletAnswer& answer) {
   for (const occt::FilletRefusal& each : answer.made.refused) refused.push_back(refusal_json(each));
   const bool any = !answer.made.solids.empty();
   Json report = {{"schema", "blossom.blend/1"}, {"kind", kind_of(answer)}, {"part", part.name}};
-  report.update(size_json(answer.of));
+  report.update(size_json(answer));
   report.update({{"status", to_string(answer.made.status)},
                  {"asked", answer.asked},
                  {"edges", answer.made.edges},

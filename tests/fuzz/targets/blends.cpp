@@ -51,13 +51,14 @@ occt::FilletOptions options_of(Choices& choices) {
 
 void try_input(Bytes input) try {
   Choices choices(input);
-  const occt::FilletOptions options = options_of(choices);
+  occt::FilletOptions options = options_of(choices);
   const TopoDS_Shape body = body_of(choices);
   const int count = static_cast<int>(occt::edge_facts(body).size());
   if (count == 0) return;
   std::vector<int> edges;
   const int wanted = choices.within(1, 4);
   for (int i = 0; i < wanted; ++i) edges.push_back(1 + choices.byte() % count);
+  if (!options.chamfer && choices.is_so()) options.own[edges.front()].radius = 0.5 * options.radius;
   const occt::FilletResult made = occt::fillet(body, edges, options);
   for (const occt::FilletedSolid& filleted : made.solids) {
     require(occt::is_closed_solid(filleted.solid), "a solid is open");

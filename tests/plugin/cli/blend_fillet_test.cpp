@@ -124,6 +124,14 @@ TEST_F(BlendFillet, RefusesBadUsage) {
       {box, "--edge", "1", "--radius", "1", "--section", "conic"},
       {box, "--edge", "1", "--radius", "1", "--section", "conic:1"},
       {box, "--edge", "1", "--radius", "1", "--section", "square"},
+      {box, "--edge", "1:2,3"},
+      {box, "--edge", "1:2", "--edges", "all"},
+      {box, "--edge", "1:2", "--edge", "1:3"},
+      {box, "--edge", "1:0"},
+      {box, "--edge", "1:"},
+      {box, "--edge", ":2"},
+      {box, "--edge", "1:2:3"},
+      {box, "--edge", "1:2", "--radius", "1", "--law", box},
       {box, "--edge", "0", "--radius", "1"},
       {box, "--edge", "13", "--radius", "1"},
       {box, "--edge", "-4", "--radius", "1"},
@@ -158,6 +166,26 @@ TEST_F(BlendFillet, ChangesItsRadiusAlongAnEdge) {
   EXPECT_GT(less, 10 * kCut);
   EXPECT_LT(less, 40 * kCut);
   EXPECT_TRUE(BRepCheck_Analyzer(occt::read_model(path("out.step")).shape()).IsValid());
+}
+
+TEST_F(BlendFillet, GivesEdgesRadiiOfTheirOwn) {
+  const Finished ran = fillet({path("box.step"), "--edge", "1,3:2", "--edge", "7:1..2", "--radius",
+                               "1", "-o", path("out.step"), "--json", "-"});
+
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const nlohmann::json report = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(report["radius"], 1);
+  ASSERT_EQ(report["radii"].size(), 2U);
+  EXPECT_EQ(report["radii"][0], nlohmann::json({{"edge", 3}, {"radius", 2}, {"law", nullptr}}));
+  EXPECT_EQ(report["radii"][1]["law"]["radii"], nlohmann::json({1, 2}));
+  EXPECT_NEAR(report["volume"]["after"], 1000 - 10 * kCut * (1 + 4 + 7.0 / 3), 0.05);
+  EXPECT_TRUE(BRepCheck_Analyzer(occt::read_model(path("out.step")).shape()).IsValid());
+
+  const Finished all = fillet({path("box.step"), "--edge", "1:1,3:2"});
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_NE(all.out.find("fillet of edge 1 by 1, of edge 3 by 2, 2 edges rounded"),
+            std::string::npos)
+      << all.out;
 }
 
 TEST_F(BlendFillet, TakesConicsForSections) {

@@ -11,6 +11,10 @@ test {
       [expr {[near [lindex $answer 2] $volume] && [near [mass_of vprops r] $volume]}]
   claim "the result is sound" [expr {[string trim [blcheck r]] eq "0"}]
   claim "all edges may be rounded" [expr {[lindex [blfillet r b 1 all] 0] == 12 && [count_of r FACE] == 26}]
+  blfillet r b 1 1:2 3
+  set both [expr {1000 - 10 * (4 + 1) * (1 - 3.141592653589793 / 4)}]
+  claim "an edge may have its own radius" [near [mass_of vprops r] $both]
+  claim "but not two" [string match "*edge 1 has two radii*" [message_of blfillet r b 1 1:2 1:3]]
   claim "too large a radius is refused, with the edge" [string match "*edge*" [message_of blfillet r b 20 1]]
   claim "there is no edge 99" [string match "*blfillet:*99*" [message_of blfillet r b 1 99]]
   claim "a box has no concave edge" [string match "*there is no such edge*" [message_of blfillet r b 1 concave]]

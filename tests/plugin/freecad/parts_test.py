@@ -57,6 +57,19 @@ def fillets_may_change_and_be_conics(document):
     document.recompute()
     mean = (4 + 8 + 16) / 3
     claim("radii from 2 to 4", abs(1000 - rounded.Volume - (1 - math.pi / 4) * mean * 10) < 0.5)
+    rounded.LastRadius, rounded.Radii = "0 mm", ["Edge3: 3 mm", "Edge7:1..2 mm"]
+    rounded.Edges = [(block, ("Edge1", "Edge3", "Edge7"))]
+    document.recompute()
+    taken = (1 - math.pi / 4) * 10 * (4 + 9 + 7 / 3)
+    claim("edges have radii of their own", abs(1000 - rounded.Volume - taken) < 0.1)
+    for wrong in ("Edge3", "3: 2 mm", "Edge3: 2 kg", "Edge3: 1 mm..2 mm..3 mm", "Edge3: wide"):
+        rounded.Radii = [wrong]
+        document.recompute()
+        claim(f"{wrong} is no radius of an edge", says(rounded, "Radii: Edge3: 2 mm, or Edge3: 2 mm..4 mm"))
+    rounded.Radii = ["Edge3: -2 mm"]
+    document.recompute()
+    claim("nor is what is not positive", says(rounded, "Radii: Edge3: it has to be positive"))
+    rounded.Radii = []
     rounded.Rho = 1.5
     document.recompute()
     claim("sharper than sharp is none", says(rounded, "Rho: a number between 0 and 1 is wanted"))
@@ -160,7 +173,7 @@ def wrong_lines_are_told_and_leave_nothing(document):
     for said, call in {
         "ValueError: Operation: one of cut, common, fuse, split is wanted, got 'minus'":
             lambda: make.solid(document, "minus", block, block),
-        "TypeError: there is no choice Radus; there are Radius, LastRadius, Section, Rho, Partial, "
+        "TypeError: there is no choice Radus; there are Radius, LastRadius, Radii, Section, Rho, Partial, "
         "Tolerance":
             lambda: make.fillet(document, block, Radus=3),
         "TypeError: A: objects of a document, or pairs of one and its elements, "

@@ -84,6 +84,30 @@ class Fillets(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "a radius or a law is wanted"):
             BLOCK.fillet([1])
 
+    def test_edges_may_have_radii_of_their_own(self):
+        # Edges 1 and 7 are 20 long and apart from each other.
+        own = BLOCK.fillet(radius={1: 2, 7: 4})
+        others = BLOCK.fillet([1, 3], radius={1: 2, None: 4})
+        changed = BLOCK.fillet(radius={1: 2, 7: {"law": "linear", "radii": [2, 4]}})
+        pair = BLOCK.fillet(radius={1: 2, 7: (2, 4)})
+
+        self.assertEqual(own.edges, [1, 7])
+        self.assertAlmostEqual(VOLUME - own.volume, CORNER * 20 * (1 + 4), 6)
+        self.assertAlmostEqual(VOLUME - others.volume, CORNER * 20 * (1 + 4), 6)
+        self.assertEqual(changed.volume, pair.volume)
+        told = support.told_by_program("blend", "fillet", FILES / "block.step", "--edge", "1:2,7:2..4")
+        self.assertEqual(support.without_times(pair.to_dict()), support.without_times(told))
+        for message, arguments in (
+            ("^radius: edge 3 has none; that of all others is wanted", {"edges": [1, 3]}),
+            ("^radius: some edges have none", {"edges": "all"}),
+            ("edge 1 has a radius, but is not among the edges", {"edges": [3], "radius": {1: 2, None: 1}}),
+            ("^radius: edge 1: -2.0 is not positive", {"radius": {1: -2}}),
+            ("^edges: 0 is less than 1", {"radius": {0: 2}}),
+            ("^fillet needs edges", {"radius": {}}),
+        ):
+            with self.subTest(message), self.assertRaisesRegex(ValueError, message):
+                BLOCK.fillet(**{"radius": {1: 2}, **arguments})
+
     def test_errors_are_words(self):
         for error, message, arguments in (
             (ValueError, "^edges: 'sharp' is none of all, convex, concave", {"edges": "sharp"}),

@@ -41,8 +41,9 @@ namespace {
 
 struct FilletCommand {
   std::string part;
-  std::vector<int> edges;
-  std::string all;  ///< --edges: "all", "convex" or "concave"
+  std::vector<std::string> edge_words;  ///< --edge
+  reports::EdgeChoice chosen{};         ///< the same, read
+  std::string all;                      ///< --edges: "all", "convex" or "concave"
   std::vector<int> between;
   std::string size;              ///< --radius or --distance
   std::string section;           ///< --section
@@ -69,7 +70,7 @@ void add_between(const FilletCommand& command, const std::vector<occt::EdgeFacts
 }
 
 std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& shape) {
-  std::set<int> edges(command.edges.begin(), command.edges.end());
+  std::set<int> edges(command.chosen.edges.begin(), command.chosen.edges.end());
   if (command.all.empty() && command.between.empty()) return {edges.begin(), edges.end()};
   const std::vector<occt::EdgeFacts> facts = occt::edge_facts(shape);
   if (!command.between.empty()) add_between(command, facts, edges);
@@ -111,14 +112,26 @@ std::string done_text(const FilletCommand& command, const occt::FilletResult& ma
   return counted(made.edges.size(), "edge") + (command.is_chamfer() ? " cut off" : " rounded");
 }
 
+// "fillet of radius 2, of edge 12 5".
+std::string size_text(const FilletCommand& command) {
+  std::string text = command.is_chamfer() ? "chamfer of distance " : "fillet ";
+  if (!command.is_chamfer() && !command.size.empty())
+    text += command.law.empty() ? "of radius " : "by the law ";
+  text += command.size;
+  bool first = command.size.empty();
+  for (const auto& [edge, of] : command.chosen.own) {
+    const auto radius_at = [&](double share) { return number_text(of.law->at(share).value); };
+    text += std::string(first ? "of" : ", of") + " edge " + std::to_string(edge) + " by " +
+            (of.law ? radius_at(0) + ".." + radius_at(1) : number_text(of.radius));
+    first = false;
+  }
+  return text;
+}
+
 std::string summary(const FilletCommand& command, const Input& part, const TimedFillets& timed) {
   std::ostringstream text;
   const occt::FilletResult& made = timed.made;
-  text << part.name << ": "
-       << (command.is_chamfer()  ? "chamfer of distance "
-           : command.law.empty() ? "fillet of radius "
-                                 : "fillet by the law ")
-       << command.size << ", ";
+  text << part.name << ": " << size_text(command) << ", ";
   text << done_text(command, made) << ", " << timed.seconds << " s\n";
   if (!made.solids.empty()) {
     const double more = reports::volume_of(made) - made.volume_before;
@@ -151,7 +164,7 @@ Picture picture_of(const FilletCommand& command, const Input& part,
 }
 
 void check_options(const FilletCommand& command) {
-  if (command.edges.empty() && command.all.empty() && command.between.empty())
+  if (command.edge_words.empty() && command.all.empty() && command.between.empty())
     throw UsageError(
         "blend needs edges: --edge N, --edges all or --between A,B; "
         "info --edges lists them");
@@ -202,12 +215,11 @@ int run(const FilletCommand& command) {
 
 // What both commands have in common.
 CLI::App* add_edges_command(CLI::App& blend, const char* name, const char* about,
+                            const char* about_edges,
                             const std::shared_ptr<FilletCommand>& options) {
   CLI::App* const command = blend.add_subcommand(name, about);
   command->add_option("part", options->part, "model of solids")->required()->type_name("PART");
-  command->add_option("--edge", options->edges, "numbers as info --edges prints them: 12 or 3,5,7")
-      ->delimiter(',')
-      ->type_name("N");
+  command->add_option("--edge", options->edge_words, about_edges)->delimiter(',')->type_name("N");
   limit_to(*command->add_option("--edges", options->all,
                                 "all edges that can be rounded, or those of a kind"),
            {"all", "convex", "concave"});
@@ -233,12 +245,36 @@ std::string law_text(const std::string& file) {
   return text;
 }
 
+/// --edge.
+void read_edges(FilletCommand& command) {
+  for (const std::string& word : command.edge_words)
+    read_size("--edge", [&] { reports::choose_edge(word, command.chosen); });
+  command.fillet.own = command.chosen.own;
+}
+
+// Whether all edges asked for have radii of their own.
+bool has_all_radii(const FilletCommand& command) {
+  return command.all.empty() && command.between.empty() &&
+         std::ranges::all_of(command.chosen.edges,
+                             [&](int edge) { return command.chosen.own.count(edge) > 0; });
+}
+
 /// --radius or --law.
 void read_radii(FilletCommand& command) {
+  read_edges(command);
+  if (command.size.empty() && command.law.empty() && !command.chosen.own.empty() &&
+      has_all_radii(command))
+    return;
   if (command.size.empty() == command.law.empty())
-    throw UsageError("blend fillet takes --radius R or --law FILE, and just one of them");
+    throw UsageError(
+        "blend fillet takes --radius R or --law FILE, and just one of them, unless all edges have "
+        "their own, as in --edge 12:5");
   if (command.law.empty()) {
-    read_size("--radius", [&] { reports::read_radius(command.size, command.fillet); });
+    read_size("--radius", [&] {
+      const occt::EdgeRadius of = reports::edge_radius(command.size);
+      command.fillet.radius = of.radius;
+      command.fillet.law = of.law;
+    });
     return;
   }
   command.size = command.law;
@@ -250,10 +286,14 @@ void read_radii(FilletCommand& command) {
 void add_blend_fillet(CLI::App& blend, int& exit_code) {
   const auto options = std::make_shared<FilletCommand>();
   CLI::App* const command = add_edges_command(
-      blend, "fillet", "edges of solids rounded by a ball that rolls along them", options);
+      blend, "fillet", "edges of solids rounded by a ball that rolls along them",
+      "numbers as info --edges prints them: 12 or 3,5,7; 12:5 or 12:2..5 with a radius of its own",
+      options);
   command
-      ->add_option("--radius", options->size,
-                   "of the ball, mm; 2..5: from 2 at the start of the edges to 5 at their end")
+      ->add_option(
+          "--radius", options->size,
+          "of the ball, mm; 2..5: from 2 at the start of the edges to 5 at their end; not of "
+          "edges with their own")
       ->type_name("R");
   command
       ->add_option(
@@ -278,7 +318,9 @@ void add_blend_fillet(CLI::App& blend, int& exit_code) {
 
 void add_blend_chamfer(CLI::App& blend, int& exit_code) {
   const auto options = std::make_shared<FilletCommand>();
-  CLI::App* const command = add_edges_command(blend, "chamfer", "edges of solids cut off", options);
+  CLI::App* const command =
+      add_edges_command(blend, "chamfer", "edges of solids cut off",
+                        "numbers as info --edges prints them: 12 or 3,5,7", options);
   command
       ->add_option("--distance", options->size,
                    "of the borders from the edge, mm; 1,2: on the face of the smaller number, on "
@@ -286,6 +328,8 @@ void add_blend_chamfer(CLI::App& blend, int& exit_code) {
       ->required()
       ->type_name("D");
   command->callback([options, &exit_code] {
+    read_edges(*options);
+    if (!options->chosen.own.empty()) throw UsageError("--edge: chamfers have no radii");
     read_size("--distance",
               [&] { options->fillet.chamfer = reports::chamfer_size(options->size); });
     exit_code = run(*options);

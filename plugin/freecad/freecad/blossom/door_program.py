@@ -86,8 +86,10 @@ class ProgramDoor:
         return self._ask(command + ["--weight-a", repr(weight_a), "--weight-b", repr(weight_b)], {})
 
     def fillet(self, part, edges, radius, section, partial, **options):
-        both = radius if isinstance(radius, tuple) else (radius,)
-        size = ["--radius", "..".join(map(repr, both)), "--section", section]
+        own = dict(radius) if isinstance(radius, dict) else {None: radius}
+        size = ["--radius", _size(own.pop(None)), "--section", section]
+        for edge, each in own.items():
+            size += ["--edge", f"{edge}:{_size(each)}"]
         return self._blend("fillet", part, edges, size, partial, options)
 
     def chamfer(self, part, edges, distance, partial, angle=None, **options):
@@ -185,6 +187,12 @@ def _groups_of(file):
             if line.startswith("g "):
                 yield int(line.rsplit("Face", 1)[1]), triangles
             triangles += line.startswith("f ")
+
+
+def _size(radius):
+    """A radius, or a pair of them."""
+    both = radius if isinstance(radius, tuple) else (radius,)
+    return "..".join(map(repr, both))
 
 
 def _numbers(vector):

@@ -15,7 +15,7 @@ from . import door, links, work
 # A link to other objects. `one`: a single face is wanted.
 Link = collections.namedtuple("Link", "name label tip")
 # A choice of the user's. kind: "length", "distance", "angle", "number", "count", "flag", "word",
-# "vector", "points". of: its words, or its least and largest number.
+# "lines", "vector", "points". of: its words, or its least and largest number.
 Choice = collections.namedtuple("Choice", "name kind default label tip of", defaults=(None,))
 # A fact of the answer. kind: "word", "words", "count", "counts", or a number: "length", "area",
 # "volume", "angle".
@@ -33,6 +33,7 @@ _TYPES = {
     "count": "App::PropertyInteger",
     "flag": "App::PropertyBool",
     "word": "App::PropertyEnumeration",
+    "lines": "App::PropertyStringList",
     "vector": "App::PropertyVector",
     "points": "App::PropertyVectorList",
 }

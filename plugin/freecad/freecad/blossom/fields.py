@@ -14,7 +14,8 @@ def field(obj, choice, changed):
     """The widget of a choice, set to what the object has; None of one that has no widget."""
     make = {
         "length": Quantity, "distance": Quantity, "angle": Quantity, "number": Number,
-        "count": Count, "flag": Flag, "word": Word, "vector": Vector,
+        "count": Count, "flag": Flag, "word": Word, "lines": Lines,
+        "vector": Vector,
     }.get(choice.kind)  # fmt: skip
     if make is None:
         return None
@@ -84,6 +85,19 @@ class Word:
 
     def read(self):
         return self.widget.currentText()
+
+
+class Lines:
+    """Texts in one line, with semicolons between them."""
+
+    def __init__(self, value, choice, changed):
+        self.widget = QtGui.QLineEdit("; ".join(value))
+        self.widget.setPlaceholderText(choice.of)
+        self.widget.editingFinished.connect(lambda *_: changed())
+
+    def read(self):
+        parts = (part.strip() for part in self.widget.text().split(";"))
+        return [part for part in parts if part]
 
 
 class Vector:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Edges of solids rounded by a rolling ball."""
 
+import FreeCAD
+
 from .blended import LAST_CHOICES, EdgeBlend, facts_of, positive
 from .feature import Choice
 
@@ -17,6 +19,9 @@ class Fillet(EdgeBlend):
         Choice("Radius", "length", "1 mm", "Radius", "Of the ball"),
         Choice("LastRadius", "length", "0 mm", "Radius at the end",
                "Where a run of edges ends, if it is another than at its start; 0: it is not"),
+        Choice("Radii", "lines", [], "Radii of edges",
+               "Of edges that have their own: Edge3: 2 mm, or Edge3: 2 mm..4 mm where it changes",
+               "Edge3: 2 mm; Edge5: 2 mm..4 mm"),
         Choice("Section", "word", "circle", "Section",
                "Circles, conics, or curves that have the curvatures of both faces (g2)", SECTIONS),
         Choice("Rho", "number", 0.5, "Sharpness",
@@ -32,10 +37,29 @@ class Fillet(EdgeBlend):
         first = positive(obj.Radius, "Radius")
         if not 0 < obj.Rho < 1:
             raise ValueError(f"Rho: a number between 0 and 1 is wanted, got {obj.Rho:g}")
+        common = (first, obj.LastRadius.Value) if obj.LastRadius.Value > 0 else first
+        own = dict(map(_own_radius, obj.Radii))
         return {
-            "radius": (first, obj.LastRadius.Value) if obj.LastRadius.Value > 0 else first,
+            "radius": {None: common, **own} if own else common,
             "section": f"conic:{obj.Rho!r}" if obj.Section == "conic" else obj.Section,
         }
 
     def ask(self, entrance, inputs, options):
         return entrance.fillet(inputs["Edges"], **options)
+
+
+def _own_radius(line):
+    """The number of an edge and its radius, or a pair of them. throws ValueError"""
+    name, _, words = line.partition(":")
+    name, sizes = name.strip(), words.split("..")
+    number = name[4:] if name.startswith("Edge") else ""
+    try:
+        if not number.isdecimal() or len(sizes) > 2 or not all(map(str.strip, sizes)):
+            raise ValueError
+        lengths = [FreeCAD.Units.Quantity(size) for size in sizes]
+        if any(each.Unit not in (FreeCAD.Units.Length, FreeCAD.Units.Unit()) for each in lengths):
+            raise ValueError
+    except Exception:  # FreeCAD has kinds of its own
+        raise ValueError(f"Radii: Edge3: 2 mm, or Edge3: 2 mm..4 mm is wanted, got {line!r}") from None
+    radii = [positive(each, f"Radii: {name}") for each in lengths]
+    return int(number), radii[0] if len(radii) == 1 else tuple(radii)
