@@ -80,6 +80,12 @@ std::vector<FilletEdges> chains_of(const BodyEdges& body, const std::vector<int>
   return chains;
 }
 
+// Whether an edge was refused that could be rounded, and so keeps the others from it.
+bool stops_others(const FilletResult& result) {
+  return std::ranges::any_of(
+      result.refused, [](const FilletRefusal& why) { return why.fault != FilletFault::Nothing; });
+}
+
 // The radius that edges of a chain have of their own, if any; two that differ are refused.
 std::optional<std::pair<int, EdgeRadius>> own_radius(const FilletEdges& chain,
                                                      const FilletOptions& options) {
@@ -235,6 +241,43 @@ FilletAttempt as_many_as_work(Filleting& work, std::vector<FilletEdges>& chains,
 
 }  // namespace
 
+namespace {
+
+// What can be made of the chains, or why not.
+void make_fillets(Filleting& work, std::vector<FilletEdges>& chains, const FilletOptions& options,
+                  FilletResult& result) {
+  const auto refuse = [&](const FilletRefusal& why) {
+    result.refused.push_back(why);
+    add_parameter(work.body(), result.refused.back());
+    add_largest(work, chains, options, result.refused.back());
+  };
+  while (!chains.empty() && (options.partial || !stops_others(result))) {
+    FilletAttempt made = fillet_attempt(work, chains, size_of(options));
+    if (made.why) {
+      const auto at_fault = std::ranges::find_if(
+          chains, [&](const auto& chain) { return chain.count(made.why->edge) > 0; });
+      const bool is_own = is_own_fault(made.why->fault) && at_fault != chains.end();
+      if (!options.partial || is_own) refuse(*made.why);
+      if (!options.partial) return;
+      if (is_own) {
+        chains.erase(at_fault);
+        continue;
+      }
+      made = as_many_as_work(work, chains, size_of(options), refuse);
+    }
+    result.solids = std::move(made.solids);
+    result.notes.insert(result.notes.end(), made.notes.begin(), made.notes.end());
+    for (const FilletEdges& chain : chains)
+      for (const auto& [edge, concave] : chain) result.edges.push_back(edge);
+    for (const int edge : made.gone_on)
+      if (std::ranges::find(result.edges, edge) == result.edges.end()) result.edges.push_back(edge);
+    std::ranges::sort(result.edges);
+    return;
+  }
+}
+
+}  // namespace
+
 FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
                     const FilletOptions& options) {
   if (shape.IsNull()) throw InvalidInput("fillet: there is no shape");
@@ -244,40 +287,14 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
   if (options.volumes) result.volume_before = work.volume_given();
   std::vector<FilletEdges> chains = chains_of(work.body(), edges, result.refused);
   work.set_own(own_radii(chains, edges, options, result));
-  const auto refuse = [&](const FilletRefusal& why) {
-    result.refused.push_back(why);
-    add_parameter(work.body(), result.refused.back());
-    add_largest(work, chains, options, result.refused.back());
-  };
   try {
-    while (!chains.empty() && (options.partial || result.refused.empty())) {
-      FilletAttempt made = fillet_attempt(work, chains, size_of(options));
-      if (made.why) {
-        const auto at_fault = std::ranges::find_if(
-            chains, [&](const auto& chain) { return chain.count(made.why->edge) > 0; });
-        const bool is_own = is_own_fault(made.why->fault) && at_fault != chains.end();
-        if (!options.partial || is_own) refuse(*made.why);
-        if (!options.partial) return result;
-        if (is_own) {
-          chains.erase(at_fault);
-          continue;
-        }
-        made = as_many_as_work(work, chains, size_of(options), refuse);
-      }
-      result.solids = std::move(made.solids);
-      result.notes.insert(result.notes.end(), made.notes.begin(), made.notes.end());
-      for (const FilletEdges& chain : chains)
-        for (const auto& [edge, concave] : chain) result.edges.push_back(edge);
-      for (const int edge : made.gone_on)
-        if (std::ranges::find(result.edges, edge) == result.edges.end())
-          result.edges.push_back(edge);
-      std::ranges::sort(result.edges);
-      return result;
-    }
+    make_fillets(work, chains, options, result);
   } catch (const LimitFailure& reached) {
     result.refused.push_back({FilletFault::Result, 0, reached.what(), {}, {}, {}});
     result.status = Status::Stopped;
   }
+  std::ranges::stable_partition(
+      result.refused, [](const FilletRefusal& why) { return why.fault != FilletFault::Nothing; });
   return result;
 }
 

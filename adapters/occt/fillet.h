@@ -22,7 +22,8 @@ namespace blossom::occt {
 
 /// Why a fillet cannot be made.
 enum class FilletFault {
-  Edge,          ///< it cannot have a fillet: open, crowded, smooth, a seam, a point, of mixed kind
+  Edge,          ///< it cannot have a fillet: open, crowded, of mixed kind
+  Nothing,       ///< there is nothing to be rounded: smooth, a seam, a point
   NoBall,        ///< no ball of that radius touches both faces beside the edge
   Pinch,         ///< the ball has a radius of curvature of a face
   LeavesFace,    ///< a contact goes over a border of its face
@@ -118,20 +119,21 @@ struct FilletedSolid {
 
 struct FilletResult {
   Status status = Status::Complete;  ///< Stopped when the time limit or the caller ended the work
-  /// All solids of the shape, those without fillets as they were; none if anything is refused and
-  /// not `partial`, or nothing could be made.
+  /// All solids of the shape, those without fillets as they were; none if anything is refused that
+  /// could be rounded, and not `partial`, or nothing could be made.
   std::vector<FilletedSolid> solids;
   std::vector<int> edges;  ///< that have fillets: those asked for and those that they go on in
-  std::vector<FilletRefusal> refused;
-  double volume_before = 0;        ///< of all solids; 0 without `volumes`
-  std::vector<std::string> notes;  ///< how strips end, where that is not what one would think
+  std::vector<FilletRefusal> refused;  ///< edges with nothing to be rounded are last
+  double volume_before = 0;            ///< of all solids; 0 without `volumes`
+  std::vector<std::string> notes;      ///< how strips end, where that is not what one would think
 };
 
 /// Rounds edges of solids.
 ///
-/// A fillet goes on along edges that continue an edge smoothly. Nothing is given out that is not
-/// closed, valid by BRepCheck, and changed in volume the way its edges say: less material at convex
-/// ones, more at concave ones.
+/// A fillet goes on along edges that continue an edge smoothly. Edges with nothing to be rounded
+/// are refused, but do not keep the others from it. Nothing is given out that is not closed, valid
+/// by BRepCheck, and changed in volume the way its edges say: less material at convex ones, more at
+/// concave ones.
 ///
 /// shape    solids, faces turned outwards
 /// edges    numbers as in `edge_facts`

@@ -12,7 +12,8 @@
 namespace blossom::python {
 namespace {
 
-std::vector<int> edges_asked(const EdgeWish& wish, const reports::Input& input) {
+// note   what else there is, if all edges are meant
+std::vector<int> edges_asked(const EdgeWish& wish, const reports::Input& input, std::string& note) {
   std::set<int> edges(wish.edges.begin(), wish.edges.end());
   if (!wish.kind.empty() || wish.between) {
     const std::vector<occt::EdgeFacts> facts = occt::edge_facts(input.model.shape());
@@ -24,6 +25,7 @@ std::vector<int> edges_asked(const EdgeWish& wish, const reports::Input& input) 
                            std::to_string(other) + " have no edge in common");
       edges.insert(common.begin(), common.end());
     }
+    if (wish.kind == "all") note = reports::left_out(facts);
     if (!wish.kind.empty())
       for (const int edge : reports::edges_to_round(facts, wish.kind)) edges.insert(edge);
   }
@@ -43,9 +45,11 @@ Answer blend_edges(const SharedModel& part, const EdgeWish& wish, const occt::Fi
     const LoadedModel::Turn turn = part->turn(watch);
     const reports::Input& input = part->repaired_input(watch);
     const double start = watch.seconds();
-    reports::FilletAnswer answer{.of = of, .asked = edges_asked(wish, input)};
+    std::string note;
+    reports::FilletAnswer answer{.of = of, .asked = edges_asked(wish, input, note)};
     answer.of.intersection = watch.engine();
     answer.made = occt::fillet(input.model.shape(), answer.asked, answer.of);
+    if (!note.empty()) answer.made.notes.push_back(note);
     answer.seconds = watch.seconds() - start;
     watch.stop();
     SharedModel made;

@@ -60,7 +60,14 @@ bool is_concave(const BodyEdges& body, int edge) {
   if (kind == EdgeKind::Convex || kind == EdgeKind::Concave) return kind == EdgeKind::Concave;
   std::optional<Vec3> point;
   if (kind != EdgeKind::Degenerate) point = middle_of(body, edge);
-  throw FilletRefused({FilletFault::Edge, edge, cause_of(kind), std::nullopt, point, {}});
+  const bool nothing =
+      kind == EdgeKind::Smooth || kind == EdgeKind::Seam || kind == EdgeKind::Degenerate;
+  throw FilletRefused({nothing ? FilletFault::Nothing : FilletFault::Edge,
+                       edge,
+                       cause_of(kind),
+                       std::nullopt,
+                       point,
+                       {}});
 }
 
 // As the body has it; no edge can end where it has none.

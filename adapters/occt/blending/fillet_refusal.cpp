@@ -9,6 +9,7 @@ namespace blossom::occt {
 const char* to_string(FilletFault fault) {
   switch (fault) {
     case FilletFault::Edge: return "edge";
+    case FilletFault::Nothing: return "nothing to round";
     case FilletFault::NoBall: return "no ball";
     case FilletFault::Pinch: return "pinch";
     case FilletFault::LeavesFace: return "leaves face";

@@ -28,7 +28,8 @@ const Command kBlfillet{
     "\n\t\t: of a run of edges to 5 at its end; 7:3 and 7:2..5: edge 7 has its own. Edges by their "
     "numbers in blinfo, that is in the"
     "\n\t\t: order of explode. The answer is how many edges were rounded, and the volumes before"
-    "\n\t\t: and after. Where one cannot be rounded the error says why.",
+    "\n\t\t: and after; behind them edges that are smooth or seams, which are left out. Where one "
+    "cannot be rounded the error says why.",
     fillet_answer};
 
 }  // namespace blossom::draw

@@ -44,7 +44,7 @@ std::string blended_edges(const Words& words, occt::FilletOptions options) {
   options.own = std::move(chosen.own);
   const occt::FilletResult made = occt::fillet(shape, chosen.edges, options);
 
-  if (!made.refused.empty()) throw occt::Failure(made.refused.front().text());
+  if (made.solids.empty()) throw occt::Failure(made.refused.front().text());
   std::vector<TopoDS_Solid> solids;
   double volume = 0;
   for (const occt::FilletedSolid& solid : made.solids) {
@@ -52,8 +52,10 @@ std::string blended_edges(const Words& words, occt::FilletOptions options) {
     volume += solid.volume;
   }
   DBRep::Set(words[0].c_str(), occt::compound_of(solids));
-  return std::to_string(made.edges.size()) + " " + tcl_number(made.volume_before) + " " +
-         tcl_number(volume);
+  std::string answer = std::to_string(made.edges.size()) + " " + tcl_number(made.volume_before) +
+                       " " + tcl_number(volume);
+  for (const occt::FilletRefusal& each : made.refused) answer += " " + std::to_string(each.edge);
+  return answer;
 }
 
 }  // namespace blossom::draw

@@ -12,7 +12,8 @@ namespace blossom::draw {
 
 /// Blends edges: words are the result, the solid, the size, and edges: numbers, "7:3" with a
 /// radius of its own, or "all", "convex" or "concave".
-/// returns   how many edges were changed, volumes before and after
+/// returns   how many edges were changed, volumes before and after, and edges that have nothing to
+///           be rounded
 /// throws    WrongWords; Failure with the place and the cause where an edge is refused
 std::string blended_edges(const Words& words, occt::FilletOptions options);
 

@@ -89,6 +89,23 @@ std::vector<int> edges_to_round(const std::vector<occt::EdgeFacts>& facts,
   return edges;
 }
 
+std::string left_out(const std::vector<occt::EdgeFacts>& facts) {
+  std::map<occt::EdgeKind, std::vector<int>> others;
+  for (const occt::EdgeFacts& each : facts)
+    if (!can_be_rounded(each) && each.kind != occt::EdgeKind::Degenerate)
+      others[each.kind].push_back(each.number);
+  std::string text;
+  for (const auto& [kind, edges] : others) {
+    text += (text.empty() ? "left out: " : ", ") +
+            counted(edges.size(), std::string(to_string(kind)) + " edge");
+    if (kind == occt::EdgeKind::Smooth || kind == occt::EdgeKind::Seam) continue;
+    text += " (";
+    for (const int edge : edges) text += (edge == edges.front() ? "" : ", ") + std::to_string(edge);
+    text += ")";
+  }
+  return text;
+}
+
 std::vector<int> edges_between(const std::vector<occt::EdgeFacts>& facts, int face, int other) {
   const std::vector<int> pair{std::min(face, other), std::max(face, other)};
   std::vector<int> edges;

@@ -18,6 +18,9 @@ namespace blossom::reports {
 /// kind   "all", "convex" or "concave"
 std::vector<int> edges_to_round(const std::vector<occt::EdgeFacts>& facts, const std::string& kind);
 
+/// Which edges there are beside those that can be rounded, as a note; empty if there are none.
+std::string left_out(const std::vector<occt::EdgeFacts>& facts);
+
 /// The numbers of the edges that two faces, by number, have in common.
 std::vector<int> edges_between(const std::vector<occt::EdgeFacts>& facts, int face, int other);
 

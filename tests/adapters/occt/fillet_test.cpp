@@ -281,9 +281,9 @@ TEST(FilletRefuses, EdgesThatCannotBeRounded) {
     EXPECT_TRUE(made.solids.empty());
     return made.refused.front();
   };
-  EXPECT_EQ(refusal(cylinder, EdgeKind::Seam).fault, FilletFault::Edge);
+  EXPECT_EQ(refusal(cylinder, EdgeKind::Seam).fault, FilletFault::Nothing);
   EXPECT_NE(refusal(cylinder, EdgeKind::Seam).cause.find("seam"), std::string::npos);
-  EXPECT_EQ(refusal(ball, EdgeKind::Degenerate).fault, FilletFault::Edge);
+  EXPECT_EQ(refusal(ball, EdgeKind::Degenerate).fault, FilletFault::Nothing);
 }
 
 TEST(FilletRefuses, FacesOfNoSolid) {
@@ -314,16 +314,34 @@ TEST(FilletResultOf, ABoxIsTheSameWithoutVolumesOfWholeSolids) {
 }
 
 TEST(FilletRefuses, InPartWhatIsAskedForInPart) {
+  const TopoDS_Shape shape = box(10);
+  const int small = edge_at(shape, {5, 0, 10}), large = edge_at(shape, {5, 10, 0});
+  FilletOptions options{.radius = 1, .own = {{large, {12}}}};
+  EXPECT_TRUE(fillet(shape, {small, large}, options).solids.empty());
+  options.partial = true;
+  const FilletResult part = fillet(shape, {small, large}, options);
+  ASSERT_EQ(part.solids.size(), 1U);
+  EXPECT_EQ(part.edges, std::vector<int>{small});
+  ASSERT_EQ(part.refused.size(), 1U);
+  EXPECT_EQ(part.refused.front().edge, large);
+}
+
+TEST(FilletRefuses, EdgesWithNothingToRoundButRoundsTheOthers) {
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(5, 10).Shape();
   const int seam = edges_of_kind(cylinder, EdgeKind::Seam).front();
   std::vector<int> edges = edges_of_kind(cylinder, EdgeKind::Convex);
   edges.push_back(seam);
-  EXPECT_TRUE(fillet(cylinder, edges, {.radius = 1}).solids.empty());
-  const FilletResult part = fillet(cylinder, edges, {.radius = 1, .partial = true});
-  ASSERT_EQ(part.solids.size(), 1U);
-  EXPECT_EQ(part.edges.size(), 2U);
-  ASSERT_EQ(part.refused.size(), 1U);
-  EXPECT_EQ(part.refused.front().edge, seam);
+  const FilletResult made = fillet(cylinder, edges, {.radius = 1});
+  ASSERT_EQ(made.solids.size(), 1U);
+  EXPECT_EQ(made.edges.size(), 2U);
+  ASSERT_EQ(made.refused.size(), 1U);
+  EXPECT_EQ(made.refused.front().edge, seam);
+  EXPECT_EQ(made.refused.front().fault, FilletFault::Nothing);
+  // What cannot be made is told before them.
+  const FilletResult none = fillet(cylinder, edges, {.radius = 20});
+  EXPECT_TRUE(none.solids.empty());
+  ASSERT_EQ(none.refused.size(), 2U);
+  EXPECT_EQ(none.refused.back().edge, seam);
 }
 
 TEST(FilletRefuses, BadNumbers) {

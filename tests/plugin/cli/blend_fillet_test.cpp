@@ -96,15 +96,32 @@ TEST_F(BlendFillet, RefusesARadiusThatIsTooLargeAndWritesNothing) {
 }
 
 TEST_F(BlendFillet, RoundsWhatCanBeRoundedWhenAskedForAPart) {
-  const Finished ran = fillet({path("pin.step"), "--edge", "1,2,3", "--radius", "1", "--partial",
-                               "-o", path("out.step"), "--json", "-"});
+  const Finished ran = fillet(
+      {path("box.step"), "--edge", "1:12,3:1", "--partial", "-o", path("out.step"), "--json", "-"});
 
   EXPECT_EQ(ran.code, 3) << ran.err;
   const nlohmann::json report = nlohmann::json::parse(ran.out);
-  EXPECT_EQ(report["edges"].size(), 2U);
+  EXPECT_EQ(report["edges"], nlohmann::json({3}));
   EXPECT_EQ(report["refused"].size(), 1U);
-  EXPECT_EQ(report["refused"][0]["fault"], "edge");
+  EXPECT_EQ(report["refused"][0]["fault"], "leaves face");
   EXPECT_TRUE(BRepCheck_Analyzer(occt::read_model(path("out.step")).shape()).IsValid());
+}
+
+TEST_F(BlendFillet, LeavesOutWhatHasNothingToRoundAndSaysSo) {
+  const Finished named = fillet({path("pin.step"), "--edge", "1,2,3", "--radius", "1", "-o",
+                                 path("out.step"), "--json", "-"});
+  EXPECT_EQ(named.code, 3) << named.err;
+  const nlohmann::json report = nlohmann::json::parse(named.out);
+  EXPECT_EQ(report["edges"].size(), 2U);
+  ASSERT_EQ(report["refused"].size(), 1U);
+  EXPECT_EQ(report["refused"][0]["fault"], "nothing to round");
+  EXPECT_EQ(report["written"], true);
+  const std::string seam = std::to_string(report["refused"][0]["edge"].get<int>());
+  EXPECT_EQ(fillet({path("pin.step"), "--edge", seam, "--radius", "1"}).code, 1);
+
+  const Finished all = fillet({path("pin.step"), "--edges", "all", "--radius", "1"});
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_NE(all.out.find("  left out: 1 seam edge\n"), std::string::npos) << all.out;
 }
 
 TEST_F(BlendFillet, RefusesBadUsage) {

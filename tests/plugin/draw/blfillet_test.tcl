@@ -15,6 +15,9 @@ test {
   set both [expr {1000 - 10 * (4 + 1) * (1 - 3.141592653589793 / 4)}]
   claim "an edge may have its own radius" [near [mass_of vprops r] $both]
   claim "but not two" [string match "*edge 1 has two radii*" [message_of blfillet r b 1 1:2 1:3]]
+  pcylinder c 5 10
+  claim "a seam is left out, and told" [string match "2 * * 2" [blfillet r c 1 1 2 3]]
+  claim "a seam alone is an error" [string match "*seam*" [message_of blfillet r c 1 2]]
   claim "too large a radius is refused, with the edge" [string match "*edge*" [message_of blfillet r b 20 1]]
   claim "there is no edge 99" [string match "*blfillet:*99*" [message_of blfillet r b 1 99]]
   claim "a box has no concave edge" [string match "*there is no such edge*" [message_of blfillet r b 1 concave]]

@@ -69,11 +69,14 @@ void add_between(const FilletCommand& command, const std::vector<occt::EdgeFacts
   edges.insert(common.begin(), common.end());
 }
 
-std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& shape) {
+// note   what else there is, if all edges are meant
+std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& shape,
+                             std::string& note) {
   std::set<int> edges(command.chosen.edges.begin(), command.chosen.edges.end());
   if (command.all.empty() && command.between.empty()) return {edges.begin(), edges.end()};
   const std::vector<occt::EdgeFacts> facts = occt::edge_facts(shape);
   if (!command.between.empty()) add_between(command, facts, edges);
+  if (command.all == "all") note = reports::left_out(facts);
   if (!command.all.empty())
     for (const int edge : reports::edges_to_round(facts, command.all)) edges.insert(edge);
   if (edges.empty())
@@ -85,12 +88,14 @@ std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& s
 TimedFillets timed_fillet(const FilletCommand& command, const Input& part) {
   Progress progress("filleting");
   TimedFillets timed{.of = command.fillet};
-  timed.asked = edges_asked(command, part.model.shape());
+  std::string note;
+  timed.asked = edges_asked(command, part.model.shape(), note);
   const auto start = std::chrono::steady_clock::now();
   occt::FilletOptions options = command.fillet;
   options.partial = command.partial;
   options.intersection = intersection_options(command.engine, progress);
   timed.made = occt::fillet(part.model.shape(), timed.asked, options);
+  if (!note.empty()) timed.made.notes.push_back(note);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   timed.seconds = took.count();
   return timed;
