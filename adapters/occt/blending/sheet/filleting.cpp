@@ -21,6 +21,7 @@
 #include "adapters/occt/blending/sheet/blend_sheet.h"
 #include "adapters/occt/blending/sheet/fillet_order.h"
 #include "adapters/occt/blending/strips/ball_walk.h"
+#include "adapters/occt/blending/strips/held_strip.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/solid_rays.h"
@@ -186,7 +187,11 @@ Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   for (const auto& [edge, concave] : edges) walking.filleted.insert(edge);
   BlendSheet sheet(body_, tolerance, options_.chamfer.has_value());
   for (const EdgeRun& run : edge_runs(body_, edges))
-    for (const BallWalk& walk : ball_walks(body_, run, walking)) sheet.add(walk);
+    for (const BallWalk& walk : ball_walks(body_, run, walking)) {
+      sheet.add(walk);
+      for (const WalkedStrip& each : walk.strips)
+        if (const std::string text = held_text(each.strip); !text.empty()) notes_.push_back(text);
+    }
   tick();
   sheet.build();
   tick();

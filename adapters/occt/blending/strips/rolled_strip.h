@@ -60,6 +60,8 @@ struct RolledStrip {
   std::array<RolledContact, 2> contacts;  ///< of the face to the left of the forward edge, right
   Interval range;                         ///< of t; further than the edge where it is open
   Interval edge_range;                    ///< t of the sections through the edge's ends
+  /// The edges on which the ball leans in place of touching a face, by contact; 0: it touches.
+  std::array<int, 2> held{};
 
   /// The same strip over another range inside of `most`; none where the range is all there is.
   std::function<RolledStrip(const Interval&)> over{};
@@ -83,9 +85,12 @@ struct RolledStrip {
 /// where their parallels at the distance of the radius cross, next to the edge.
 ///
 /// concave   whether the edge is
+/// held      edges on which the ball leans in place of touching the face to the left of the forward
+///           edge, or right; 0: none. They have to be parallel to the edge, or circles round its
+///           axis.
 /// throws    FilletRefused if there is no such ball
-std::optional<RolledStrip> swept_strip(const BodyEdges& body, int edge, bool concave,
-                                       double radius);
+std::optional<RolledStrip> swept_strip(const BodyEdges& body, int edge, bool concave, double radius,
+                                       const std::array<int, 2>& held = {});
 
 /// The strip along any other edge: the ball is traced along both surfaces, which go on past the
 /// trims, and past natural borders as their outer spans do.

@@ -9,6 +9,7 @@
 #include <GCPnts_AbscissaPoint.hxx>
 
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/strips/held_strip.h"
 
 namespace blossom::occt {
 namespace {
@@ -89,7 +90,7 @@ RolledStrip RunProfiles::strip(const BodyEdges& body, std::size_t place) const {
   }
   const StripProfile& profile = of_[place];
   if (profile.is_ball())
-    if (auto strip = swept_strip(body, edge.edge, run_.concave, profile.radius))
+    if (auto strip = swept_or_held_strip(body, edge.edge, run_.concave, profile.radius))
       return *std::move(strip);
   return traced_strip(body, edge.edge, run_.concave, profile);
 }

@@ -162,6 +162,7 @@ struct Rolling {
   bool concave;
   double radius;
   Section section;
+  std::array<int, 2> held;
   std::array<Side, 2> sides;
 
   [[noreturn]] void refuse(const std::string& cause) const {
@@ -180,24 +181,64 @@ Vec2 Rolling::centre() const {
   std::optional<Vec2> best;
   for (const Vec2& each : centres(sides[0].profile, sides[1].profile, offset)) {
     bool beside = true;
-    for (const Side& side : sides)
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Side& side = sides[k];
       beside = beside && dot(side.profile.foot(each) - edge_point,
                              section.flat_direction(side.corner.inwards)) > 0;
+      // Of two balls that lean on an edge, one is on the other side of the faces.
+      if (held[k] > 0)
+        beside = beside && offset * dot(each - edge_point,
+                                        section.flat_direction(side.corner.normal)) > 0;
+    }
     if (beside && (!best || distance(each, edge_point) < distance(*best, edge_point))) best = each;
   }
   if (!best) refuse("no ball of that radius touches both faces beside the edge");
   return *best;
 }
 
+// An edge across the section: a point, whose parallel is a circle about it. Nothing unless it is
+// the same all along.
+std::optional<Profile> held_profile(const BodyEdges& body, int edge, bool concave,
+                                    const Section& section, double size, const Vec3* line) {
+  const BRepAdaptor_Curve curve(body.edge(edge));
+  Profile made;
+  made.is_circle = true;
+  made.turned = concave ? 1 : -1;
+  const Vec3 point = vec(curve.Value(curve.FirstParameter()).XYZ());
+  if (line != nullptr) {
+    if (curve.GetType() != GeomAbs_Line) return std::nullopt;
+    if (norm(cross(vec(curve.Line().Direction().XYZ()), *line)) * size > kSweepError)
+      return std::nullopt;
+    made.point = section.flat(point);
+    return made;
+  }
+  if (curve.GetType() != GeomAbs_Circle) return std::nullopt;
+  const gp_Circ circle = curve.Circle();
+  const Vec3 off = vec(circle.Location().XYZ()) - section.origin;
+  const double height = dot(off, section.y);
+  if (norm(off - height * section.y) > kSweepError ||
+      norm(cross(vec(circle.Axis().Direction().XYZ()), section.y)) * size > kSweepError)
+    return std::nullopt;
+  made.point = {circle.Radius(), height};
+  return made;
+}
+
 std::optional<Rolling> rolling(const BodyEdges& body, int edge, bool concave, double radius,
-                               const Section& section, double size, const Vec3* line) {
-  Rolling made{body, edge, concave, radius, section, {}};
+                               const Section& section, const std::array<int, 2>& held, double size,
+                               const Vec3* line) {
+  Rolling made{body, edge, concave, radius, section, held, {}};
   double first = 0, last = 0;
   BRep_Tool::Range(body.edge(edge), first, last);
   for (std::size_t k = 0; k < 2; ++k) {
     const EdgeUseInFace& use = body.use(edge, k == 0);
     Side& side = made.sides[k];
     side.corner = body.corner(use, 0.5 * (first + last));
+    if (held[k] > 0) {
+      const auto profile = held_profile(body, held[k], concave, section, size, line);
+      if (!profile) return std::nullopt;
+      side.profile = *profile;
+      continue;
+    }
     const auto face = elementary_of(BRep_Tool::Surface(body.face(use.face)));
     if (!face) return std::nullopt;
     const auto profile = line != nullptr ? along_line(*face, section, *line, size, side.corner)
@@ -245,6 +286,7 @@ RolledStrip strip_of(const Rolling& of) {
   strip.concave = of.concave;
   strip.radius = of.radius;
   strip.outward = !of.concave;
+  strip.held = of.held;
   return strip;
 }
 
@@ -317,18 +359,20 @@ RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, co
 }
 
 std::optional<RolledStrip> along_line(const BodyEdges& body, int edge, bool concave, double radius,
+                                      const std::array<int, 2>& held,
                                       const BRepAdaptor_Curve& curve) {
   const double first = curve.FirstParameter(), last = curve.LastParameter();
   const Vec3 axis = vec(curve.Line().Direction().XYZ());
   const BodyEdges::Corner corner = body.corner(body.use(edge, true), 0.5 * (first + last));
   const Section section{corner.point, corner.inwards, cross(axis, corner.inwards)};
-  const auto of = rolling(body, edge, concave, radius, section, last - first, &axis);
+  const auto of = rolling(body, edge, concave, radius, section, held, last - first, &axis);
   if (!of) return std::nullopt;
   const double half = 0.5 * (last - first);
   return along(*of, axis, {-half, half});
 }
 
 std::optional<RolledStrip> round_axis(const BodyEdges& body, int edge, bool concave, double radius,
+                                      const std::array<int, 2>& held,
                                       const BRepAdaptor_Curve& curve) {
   const double first = curve.FirstParameter(), last = curve.LastParameter();
   const gp_Circ circle = curve.Circle();
@@ -338,7 +382,7 @@ std::optional<RolledStrip> round_axis(const BodyEdges& body, int edge, bool conc
   const BodyEdges::Corner corner = body.corner(body.use(edge, true), 0.5 * (first + last));
   const Vec3 out = unit(corner.point - centre);
   const Section section{centre, out, axis};
-  const auto of = rolling(body, edge, concave, radius, section, circle.Radius(), nullptr);
+  const auto of = rolling(body, edge, concave, radius, section, held, circle.Radius(), nullptr);
   if (!of) return std::nullopt;
   if (closed) return round(*of, {0, 2 * std::numbers::pi}, true, -out, 0);
   const double half = 0.5 * (last - first);
@@ -372,12 +416,12 @@ TopoDS_Face RolledStrip::bare_face() const {
   return face;
 }
 
-std::optional<RolledStrip> swept_strip(const BodyEdges& body, int edge, bool concave,
-                                       double radius) {
+std::optional<RolledStrip> swept_strip(const BodyEdges& body, int edge, bool concave, double radius,
+                                       const std::array<int, 2>& held) {
   const BRepAdaptor_Curve curve(body.edge(edge));
   switch (curve.GetType()) {
-    case GeomAbs_Line: return along_line(body, edge, concave, radius, curve);
-    case GeomAbs_Circle: return round_axis(body, edge, concave, radius, curve);
+    case GeomAbs_Line: return along_line(body, edge, concave, radius, held, curve);
+    case GeomAbs_Circle: return round_axis(body, edge, concave, radius, held, curve);
     default: return std::nullopt;
   }
 }
