@@ -15,6 +15,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <gp_Ax2.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
@@ -147,6 +148,39 @@ TEST(FilletAtACliff, IsRefusedWhereTheBallMeetsTheFaceBehind) {
   // The normals of the slope and of the ball at the edge agree at 2 / (1 - 1 / sqrt(5)).
   EXPECT_NEAR(large.refused.front().largest.value_or(0), 2 / (1 - 1 / std::sqrt(5.0)), 0.04)
       << told(large);
+}
+
+// What a ball of radius 2 leaves round a post of radius 5 over a square plate, by sums over angles
+// and distances from the axis: the plate's sides cut it off.
+double over_square(double half) {
+  constexpr int kAngles = 400, kDistances = 4000;
+  double sum = 0;
+  for (int i = 0; i < kAngles; ++i) {
+    const double angle = (i + 0.5) / kAngles * std::numbers::pi / 4;
+    const double last = std::min(7.0, half / std::cos(angle)), step = (last - 5) / kDistances;
+    for (int k = 0; k < kDistances; ++k) {
+      const double away = 5 + (k + 0.5) * step, in = 7 - away;
+      sum += (2 - std::sqrt(4 - in * in)) * away * step;
+    }
+  }
+  return sum * 2 * std::numbers::pi / kAngles;
+}
+
+// The contact leaves the plate over each of its sides and comes back: the sides grow up to the
+// strip, and the plate falls apart into its corners. The edge's vertex lies beside a side, or not.
+TEST(FilletAtACliff, ThatTheContactComesBackOverIsCutOffByItsWall) {
+  for (const double turn : {0.0, 0.3, std::numbers::pi / 4}) {
+    const gp_Ax2 axis({0, 0, 0}, {0, 0, 1}, {std::cos(turn), std::sin(turn), 0});
+    const TopoDS_Shape shape =
+        BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(gp_Pnt(-6.5, -6.5, -5), gp_Pnt(6.5, 6.5, 0)).Shape(),
+                         BRepPrimAPI_MakeCylinder(axis, 5, 10).Shape())
+            .Shape();
+    const FilletResult made =
+        fillet(shape, {edge_of_kind(shape, EdgeKind::Concave)}, {.radius = 2});
+    expect_sound(made);
+    EXPECT_NEAR(more_in(made), over_square(6.5), 1e-4) << turn;
+    EXPECT_EQ(made.solids.front().faces.size(), 12U);  // 8, the strip, and three pieces more
+  }
 }
 
 }  // namespace

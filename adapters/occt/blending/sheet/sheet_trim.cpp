@@ -21,6 +21,7 @@
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/sheet/limits.h"
+#include "adapters/occt/blending/sheet/wire_nesting.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/splitting/edge_images.h"
 
@@ -34,8 +35,6 @@ struct Link {
   Vec2 start, end;  // in the chart
   int next = -1;
 };
-
-using Wires = std::vector<std::vector<TopoDS_Edge>>;
 
 Link link_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   Link made{edge,
@@ -236,7 +235,8 @@ void Trimming::add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Fa
          {},
          {},
          {}});
-  borders_.push_back({forward, *std::move(wires), from, edge, face.Orientation()});
+  for (Wires& each : nested(*wires, forward))
+    borders_.push_back({forward, std::move(each), from, edge, face.Orientation()});
 }
 
 // Puts an edge in the place of another one that runs along it.

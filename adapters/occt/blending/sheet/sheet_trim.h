@@ -30,9 +30,9 @@ struct TrimmedBody {
 /// All faces of the body without what the sheet cuts off, and those of the sheet.
 ///
 /// Wires are put together anew from what is left of their edges and from the edges that the sheet
-/// adds: end to start at common vertices. Where a face shrinks to a run of two edges along each
-/// other it goes, and the edges become one.
-/// throws   FilletRefused if wires stay open, or more of an edge would go than there is
+/// adds: end to start at common vertices. A face may fall apart into several. Where a face shrinks
+/// to a run of two edges along each other it goes, and the edges become one. throws   FilletRefused
+/// if wires stay open, or more of an edge would go than there is
 TrimmedBody trimmed_by_sheet(const BodyEdges& body, BlendSheet& sheet, double tolerance);
 
 }  // namespace blossom::occt

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -25,6 +26,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/strips/end_curves.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/faces/surface_projector.h"
@@ -42,6 +44,7 @@ constexpr double kSweepError = 1e-8;
 constexpr double kBeyond = 8;
 constexpr double kLessBeyond = 0.75;
 constexpr double kMinBeyond = 0.1;
+constexpr int kStarts = 32;       // directions in which the start of a closed strip is looked for
 constexpr double kMinGap = 1e-2;  // of a turn, radians: what an open strip leaves free
 constexpr double kOnAxis = 1e-9;  // of the radius: a torus so small is a sphere
 
@@ -358,6 +361,23 @@ RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, co
   return strip;
 }
 
+// A closed strip begins where the ball touches both faces, if it does so anywhere, so that no hole
+// or notch lies across its beginning: at a direction from the axis, or as near after it as can be.
+RolledStrip closed_round(const Rolling& of, const Vec3& first) {
+  std::optional<RolledStrip> plain;
+  for (int i = 0; i < kStarts; ++i) {
+    const double angle = i * 2 * std::numbers::pi / kStarts;
+    const Vec3 start = std::cos(angle) * first + std::sin(angle) * cross(of.section.y, first);
+    RolledStrip strip = round(of, {0, 2 * std::numbers::pi}, true, start, 0);
+    if (std::ranges::all_of(strip.contacts, [&](const RolledContact& contact) {
+          return lies_inside(of.body, contact, 0);
+        }))
+      return strip;
+    if (!plain) plain = std::move(strip);
+  }
+  return *plain;
+}
+
 std::optional<RolledStrip> along_line(const BodyEdges& body, int edge, bool concave, double radius,
                                       const std::array<int, 2>& held,
                                       const BRepAdaptor_Curve& curve) {
@@ -384,7 +404,7 @@ std::optional<RolledStrip> round_axis(const BodyEdges& body, int edge, bool conc
   const Section section{centre, out, axis};
   const auto of = rolling(body, edge, concave, radius, section, held, circle.Radius(), nullptr);
   if (!of) return std::nullopt;
-  if (closed) return round(*of, {0, 2 * std::numbers::pi}, true, -out, 0);
+  if (closed) return closed_round(*of, -out);
   const double half = 0.5 * (last - first);
   const auto made = [&](double beyond) {
     return round(*of, {std::numbers::pi - half, std::numbers::pi + half}, false, -out, beyond);
