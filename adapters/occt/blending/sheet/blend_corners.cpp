@@ -130,8 +130,7 @@ PathEdge BlendSheet::mitre_edge(const HalfEdge& a, const HalfEdge& b, const Topo
     add_chart(edge, on_other, other.bare_face());
     return PathEdge{edge, curve.forward};
   };
-  const bool of_balls = strip.is_ball && other.is_ball && strip.radius == other.radius;
-  if (of_balls && (is_spline(strip) || is_spline(other)))
+  if (strip.is_ball && other.is_ball && (is_spline(strip) || is_spline(other)))
     if (const auto curve = mitre_curve(strip, other, place, target, tolerance_))
       return made(*curve, curve->on_face);
   if (strip.is_ball && other.is_ball) {

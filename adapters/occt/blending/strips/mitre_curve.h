@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The curve in which the strips of two equal balls run into each other.
+// The curve in which the strips of two balls run into each other.
 
 #pragma once
 
