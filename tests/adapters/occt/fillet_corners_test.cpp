@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -134,6 +135,21 @@ TEST(FilletCorner, OfThreeEdgesInAnAcutePeakIsASphere) {
     spheres +=
         Handle(Geom_SphericalSurface)::DownCast(BRep_Tool::Surface(each.face)).IsNull() ? 0 : 1;
   EXPECT_EQ(spheres, 1);
+}
+
+// The concave edge comes first; along its end the upper edges become one, which comes to the third
+// edge only then.
+TEST(FilletCorner, IsMadeAtOnceWithAnEdgeThatComesToItAlongAnother) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeCylinder(6, 8, 1.25 * std::numbers::pi).Shape();
+  const auto edges = edges_where(shape, [](const EdgeFacts& each) {
+    const Vec3& at = each.middle;
+    return each.kind == EdgeKind::Concave || distance(at, {3, 0, 8}) < 1e-6 ||
+           (each.kind == EdgeKind::Convex && std::abs(at[2] - 4) < 1e-6 && at[1] < -1);
+  });
+  ASSERT_EQ(edges.size(), 3U);
+  const FilletResult made = fillet(shape, edges, {.radius = 0.7});
+  expect_sound(made);
+  EXPECT_EQ(made.edges.size(), 4U);
 }
 
 TEST(FilletCorner, OfFourEdgesAtAnApexThatNoBallTouchesIsFilledSmoothly) {

@@ -19,6 +19,7 @@ class Order {
  public:
   Order(const BodyEdges& body, const FilletEdges& edges, const FilletOptions& options);
   std::vector<FilletEdges> groups(const FilletEdges& edges) const;
+  std::map<std::size_t, int> groups_after() const;
 
  private:
   std::size_t class_of(int edge) const {
@@ -82,24 +83,34 @@ void Order::unite(int a, int b) {
   std::ranges::replace(classes_, lost, kept);
 }
 
-// Each as late as the longest way of rules to it asks for.
-std::vector<FilletEdges> Order::groups(const FilletEdges& edges) const {
-  std::map<std::size_t, std::size_t> level;
+// How many groups come after each class at least, by the longest way of rules from it; empty if
+// rules contradict each other.
+std::map<std::size_t, int> Order::groups_after() const {
+  std::map<std::size_t, int> level;
   for (const std::size_t each : classes_) level[each] = 0;
   bool changed = true;
   for (std::size_t round = 0; changed; ++round) {
-    if (round > level.size()) return {edges};
+    if (round > level.size()) return {};
     changed = false;
     for (const auto& [a, b] : before_) {
-      std::size_t& later = level[class_of(b)];
-      if (class_of(a) == class_of(b)) return {edges};
-      if (later > level[class_of(a)]) continue;
-      later = level[class_of(a)] + 1;
+      const std::size_t first = class_of(a), second = class_of(b);
+      if (first == second) return {};
+      if (level[first] > level[second]) continue;
+      level[first] = level[second] + 1;
       changed = true;
     }
   }
-  std::map<std::size_t, FilletEdges> sorted;
-  for (const auto& [edge, concave] : edges) sorted[level[class_of(edge)]].emplace(edge, concave);
+  return level;
+}
+
+// Each as late as can be: those that are to be in no group before others are made at once with all
+// that they may come to meet where blends go on along the ends of others.
+std::vector<FilletEdges> Order::groups(const FilletEdges& edges) const {
+  const std::map<std::size_t, int> after = groups_after();
+  if (after.empty()) return {edges};
+  std::map<int, FilletEdges> sorted;
+  for (const auto& [edge, concave] : edges)
+    sorted[-after.at(class_of(edge))].emplace(edge, concave);
   std::vector<FilletEdges> groups;
   for (auto& [of, group] : sorted) groups.push_back(std::move(group));
   return groups;

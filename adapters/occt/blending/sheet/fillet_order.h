@@ -10,7 +10,8 @@
 
 namespace blossom::occt {
 
-/// Edges whose fillets are made at once, group after group, each in what the ones before made.
+/// Edges whose fillets are made at once, group after group, each in what the ones before made; each
+/// edge in the last group that it may be in.
 ///
 /// Where of three edges at a vertex one of its kind meets the others, it comes first: its strip
 /// ends in a face that the others have in common, and they go on smoothly along that end. Edges of
