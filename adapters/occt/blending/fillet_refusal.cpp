@@ -2,6 +2,7 @@
 #include "adapters/occt/blending/fillet_refusal.h"
 
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 namespace blossom::occt {
@@ -41,6 +42,20 @@ std::string FilletRefusal::text() const {
     text << "; the largest " << (of_chamfer ? "distance" : "radius") << " that works is "
          << rounded_down(*largest);
   return text.str();
+}
+
+std::string renumbered(const std::string& text, const std::function<std::string(int)>& edge,
+                       const std::function<std::string(int)>& face) {
+  static const std::regex numbered("\\b(edge|face) ([0-9]{1,9})\\b");
+  std::string made;
+  auto rest = text.cbegin();
+  for (std::sregex_iterator it(text.begin(), text.end(), numbered), end; it != end; ++it) {
+    made.append(rest, (*it)[0].first);
+    const int number = std::stoi((*it)[2]);
+    made += (*it)[1] == "edge" ? edge(number) : face(number);
+    rest = (*it)[0].second;
+  }
+  return made.append(rest, text.cend());
 }
 
 }  // namespace blossom::occt

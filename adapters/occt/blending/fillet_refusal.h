@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include <functional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "adapters/occt/fillet.h"
@@ -19,5 +21,12 @@ class FilletRefused : public std::runtime_error {
  private:
   FilletRefusal why_;
 };
+
+/// A text with "edge 12" and "face 3" replaced by what they are called elsewhere: of a body between
+/// two groups of fillets, in words of the one that was given.
+///
+/// edge, face   what takes the place of both words, as "edge 7"
+std::string renumbered(const std::string& text, const std::function<std::string(int)>& edge,
+                       const std::function<std::string(int)>& face);
 
 }  // namespace blossom::occt

@@ -246,6 +246,29 @@ Filleting::Renamed Filleting::renamed(const Filleting& next, const Grouped& done
   return renamed;
 }
 
+// What is said of a solid with fillets, by the numbers of the one that was given.
+std::string Filleting::in_own_words(const std::string& text, const Filleting& next,
+                                    const Grouped& done) const {
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(done.made.solid, TopAbs_EDGE, edges);
+  const auto edge = [&](int number) {
+    const int before =
+        number <= edges.Extent() ? number_before(TopoDS::Edge(edges(number)), done) : 0;
+    return before > 0 ? "edge " + std::to_string(before) : std::string("an edge of a blend");
+  };
+  const auto face = [&](int number) -> std::string {
+    if (number > static_cast<int>(next.faces_given_.size())) return "a face";
+    const TopoDS_Face& there = next.face_given(number);
+    for (const FilletFace& each : done.made.faces) {
+      if (!each.face.IsSame(there)) continue;
+      if (each.from > 0) return "face " + std::to_string(each.from);
+      if (each.edge > 0) return "the blend of edge " + std::to_string(each.edge);
+    }
+    return "the blend of a corner";
+  };
+  return renumbered(text, edge, face);
+}
+
 // A group into a solid that other groups were put into.
 FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group) {
   Filleting next(done.made.solid, options_, limit_);
@@ -262,9 +285,10 @@ FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group
     FilletRefusal why = refusal.why();
     why.edge = old_number(why.edge);
     if (why.edge == 0) why.edge = group.begin()->first;
+    why.cause = in_own_words(why.cause, next, done);
     throw FilletRefused(why);
   }
-  notes_.insert(notes_.end(), next.notes_.begin(), next.notes_.end());
+  for (const std::string& note : next.notes_) notes_.push_back(in_own_words(note, next, done));
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(done.made.solid, TopAbs_EDGE, edges);
   std::set<int> numbers = next.gone_on_;

@@ -96,6 +96,8 @@ class Filleting {
   };
   int number_before(const TopoDS_Edge& edge, const Grouped& done) const;
   Renamed renamed(const Filleting& next, const Grouped& done, const FilletEdges& group) const;
+  std::string in_own_words(const std::string& text, const Filleting& next,
+                           const Grouped& done) const;
   double square_of_radius(int edge) const;
   FilletedSolid with_next(const Grouped& done, const FilletEdges& group);
   const TopoDS_Face& face_given(int number) const {
