@@ -9,6 +9,9 @@
 #include <utility>
 
 #include "adapters/occt/exchange/file_text.h"
+#include "adapters/occt/exchange/step_entities.h"
+#include "adapters/occt/exchange/step_scan.h"
+#include "adapters/occt/exchange/step_sections.h"
 
 namespace blossom::occt {
 namespace {
@@ -17,25 +20,11 @@ constexpr std::string_view kFileEnd = "END-ISO-10303-21";
 constexpr std::size_t kNone = std::string::npos;
 
 char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
-bool equals(std::string_view text, std::size_t place, std::string_view word) {
-  return text.size() - place >= word.size() &&
-         std::equal(word.begin(), word.end(), text.begin() + static_cast<std::ptrdiff_t>(place),
-                    [](char a, char b) { return a == upper(b); });
-}
-
 /// The last place of a word in capitals, in either case.
 std::size_t last_place(std::string_view text, std::string_view word) {
   for (std::size_t i = text.size() + 1 - std::min(text.size() + 1, word.size()); i-- > 0;)
-    if (upper(text[i]) == word.front() && equals(text, i, word)) return i;
+    if (upper(text[i]) == word.front() && has_word(text, i, word)) return i;
   return kNone;
-}
-
-/// Whether the first entity, "#1 = point(...)", is in small letters.
-bool has_small_keywords(std::string_view text) {
-  const std::size_t sign = text.find('=', std::min(text.find('#'), text.size()));
-  if (sign == kNone) return false;
-  const std::size_t letter = text.find_first_not_of(" \t\r\n(", sign + 1);
-  return letter != kNone && std::islower(static_cast<unsigned char>(text[letter])) != 0;
 }
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
@@ -81,8 +70,7 @@ std::size_t end_of_entities(std::string_view text) {
 
 void close(std::string& text, ReadingReport& report) {
   const std::size_t last = end_of_entities(text);
-  const bool data_ends =
-      equals(text, std::min(text.find_first_not_of(" \t\r\n", last), text.size()), "ENDSEC");
+  const bool data_ends = has_word(text, text.find_first_not_of(" \t\r\n", last), "ENDSEC");
   text.resize(last);
   text += "\nENDSEC;\nEND-ISO-10303-21;\n";
   if (data_ends)
@@ -183,6 +171,9 @@ void mend_step_text(std::string& text, ReadingReport& report) {
   else if (has_small_exponents(text))
     capitalize(text, Letters::Exponents);
   code_letters(text);
+  mend_step_sections(text);
+  sort_complex_entities(text);
+  renumber_large_entities(text);
 }
 
 }  // namespace blossom::occt

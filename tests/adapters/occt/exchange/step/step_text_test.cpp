@@ -11,12 +11,13 @@ namespace blossom::occt {
 namespace {
 
 std::string mended(const std::string& entity) {
-  std::string text = "ISO-10303-21;\nDATA;\n" + entity + "\nENDSEC;\nEND-ISO-10303-21;\n";
+  std::string text =
+      "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n" + entity + "\nENDSEC;\nEND-ISO-10303-21;\n";
   ReadingReport report;
   mend_step_text(text, report);
   EXPECT_EQ(report.grade(), ReadingGrade::Whole);
   const std::size_t start = text.find('#');
-  return text.substr(start, text.find("\nENDSEC") - start);
+  return text.substr(start, text.rfind("\nENDSEC") - start);
 }
 
 TEST(StepText, HasExponentsInCapitalsButNotInStrings) {
@@ -37,6 +38,46 @@ TEST(StepText, HasBlanksForControlCharacters) {
 TEST(StepText, StaysAsItIsOtherwise) {
   const std::string plain = "#1=PRODUCT('Cafe 2e4 \\X\\E9','e',$);\n#2=POINT((1.E-3));";
   EXPECT_EQ(mended(plain), plain);
+}
+
+TEST(StepText, HasKeywordsInCapitalsWhereverSmallOnesStand) {
+  EXPECT_EQ(mended("#1=PRODUCT('a',$);\n#2=Cartesian_Point('b c',(1.));\n#3=(Named_Unit(*));"),
+            "#1=PRODUCT('a',$);\n#2=CARTESIAN_POINT('b c',(1.));\n#3=(NAMED_UNIT(*));");
+}
+
+TEST(StepText, HasThePartsOfComplexEntitiesInTheOrderOfTheirNames) {
+  EXPECT_EQ(mended("#1=(LENGTH_UNIT()NAMED_UNIT(#3)CONVERSION_BASED_UNIT('IN)',#2));"),
+            "#1=(CONVERSION_BASED_UNIT('IN)',#2)LENGTH_UNIT()NAMED_UNIT(#3));");
+  EXPECT_EQ(mended("#1=( B((1,2)) /* ( */\n A() );"), "#1=( A()B((1,2))           );");
+  const std::string sorted = "#1=(BOUNDED_CURVE() B_SPLINE_CURVE(3) /* B( */ CURVE());";
+  EXPECT_EQ(mended(sorted), sorted);
+  const std::string no_entity = "#1=PRODUCT('=(B()A())',$);\n#2=(B(,A());";
+  EXPECT_EQ(mended(no_entity), no_entity);
+}
+
+TEST(StepText, HasNumbersThatFitAnInteger) {
+  EXPECT_EQ(mended("#2147483648=A('#9',#0012);\n#12=B(#2147483648);"), "#1=A('#9',#2);\n#2=B(#1);");
+  const std::string fits = "#2147483647=A(#0012);";
+  EXPECT_EQ(mended(fits), fits);
+}
+
+std::string whole(std::string text) {
+  ReadingReport report;
+  mend_step_text(text, report);
+  EXPECT_EQ(report.grade(), ReadingGrade::Whole);
+  return text;
+}
+
+TEST(StepText, HasSectionsWithoutBlanksAndLists) {
+  EXPECT_EQ(whole("ISO-10303-21 ; HEADER /* x */ ;\nA('');\nENDSEC ;\nDATA('a',('b;'));\n#1=A();\n"
+                  "ENDSEC\n;\nEND-ISO-10303-21 ;"),
+            "ISO-10303-21;  HEADER;         \nA('');\nENDSEC; \nDATA;            \n#1=A();\n"
+            "ENDSEC; \nEND-ISO-10303-21;\n");
+}
+
+TEST(StepText, HasAHeaderAndTheEndOfItsLastSection) {
+  EXPECT_EQ(whole("ISO-10303-21;\nDATA;\n#1=A();\nEND-ISO-10303-21;"),
+            "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=A();\nENDSEC;\nEND-ISO-10303-21;\n");
 }
 
 }  // namespace

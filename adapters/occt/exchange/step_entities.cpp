@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/exchange/step_entities.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "adapters/occt/exchange/file_text.h"
+#include "adapters/occt/exchange/step_scan.h"
+
+namespace blossom::occt {
+namespace {
+
+bool is_number(char c) { return '0' <= c && c <= '9'; }
+
+bool is_keyword(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '!';
+}
+
+bool is_small(char c) { return 'a' <= c && c <= 'z'; }
+
+/// The place behind the parenthesis that closes the one at a place; nowhere if none does.
+std::size_t behind_parenthesis(std::string_view text, std::size_t place) {
+  int open = 0;
+  while (place < text.size()) {
+    if (const std::size_t behind = behind_quoted(text, place); behind > place) {
+      place = behind;
+      continue;
+    }
+    if (text[place] == '(') ++open;
+    if (text[place] == ')') --open;
+    ++place;
+    if (open == 0) return place;
+  }
+  return kNowhere;
+}
+
+/// A part of a complex entity: where it begins and ends, and how long its name is.
+struct ComplexPart {
+  std::size_t begin, end, name;
+};
+
+/// The parts in the parenthesis at a place; none if it holds anything else.
+std::vector<ComplexPart> parts_at(std::string_view text, std::size_t place) {
+  std::vector<ComplexPart> parts;
+  place = behind_blanks(text, place + 1);
+  while (place < text.size() && text[place] != ')') {
+    std::size_t end = place;
+    while (end < text.size() && is_keyword(text[end])) ++end;
+    const std::size_t open = behind_blanks(text, end);
+    if (end == place || open >= text.size() || text[open] != '(') return {};
+    const std::size_t behind = behind_parenthesis(text, open);
+    if (behind == kNowhere) return {};
+    parts.push_back({place, behind, end - place});
+    place = behind_blanks(text, behind);
+  }
+  return parts;
+}
+
+/// Calls `take(place)` with the place of what follows each "#12=".
+template <class Take>
+void for_each_entity(std::string_view text, const Take& take) {
+  for (std::size_t sign = text.find('='); sign != kNowhere; sign = text.find('=', sign + 1)) {
+    std::size_t before = sign;
+    while (before > 0 && is_blank(text[before - 1])) --before;
+    if (before == 0 || !is_number(text[before - 1])) continue;
+    const std::size_t place = behind_blanks(text, sign + 1);
+    if (place < text.size()) take(place);
+  }
+}
+
+void sort_parts(std::string& text, std::vector<ComplexPart> parts) {
+  const auto name = [&](const ComplexPart& part) {
+    return std::string_view(text).substr(part.begin, part.name);
+  };
+  if (std::ranges::is_sorted(parts, {}, name)) return;
+  const std::size_t begin = parts.front().begin, end = parts.back().end;
+  std::ranges::stable_sort(parts, {}, name);
+  std::string sorted;
+  for (const ComplexPart& part : parts) sorted.append(text, part.begin, part.end - part.begin);
+  sorted.resize(end - begin, ' ');
+  text.replace(begin, end - begin, sorted);
+}
+
+/// Calls `take(begin, end)` with the digits of each "#12" outside of strings and comments.
+template <class Take>
+void for_each_number(std::string_view text, const Take& take) {
+  for (std::size_t place = 0; place < text.size();) {
+    if (const std::size_t behind = behind_quoted(text, place); behind > place) {
+      place = behind;
+      continue;
+    }
+    const bool sign = text[place] == '#';
+    std::size_t end = ++place;
+    while (sign && end < text.size() && is_number(text[end])) ++end;
+    if (end > place) take(place, end);
+    place = end;
+  }
+}
+
+/// Digits without zeros before them.
+std::string_view digits_of(std::string_view text, std::size_t begin, std::size_t end) {
+  while (begin + 1 < end && text[begin] == '0') ++begin;
+  return text.substr(begin, end - begin);
+}
+
+bool is_large(std::string_view digits) {
+  static const std::string kLargest = std::to_string(std::numeric_limits<int>::max());
+  return digits.size() > kLargest.size() || (digits.size() == kLargest.size() && digits > kLargest);
+}
+
+/// Whether "#12=" is ever of a number that is too large.
+bool has_large_numbers(std::string_view text) {
+  for (std::size_t sign = text.find('='); sign != kNowhere; sign = text.find('=', sign + 1)) {
+    std::size_t end = sign;
+    while (end > 0 && is_blank(text[end - 1])) --end;
+    std::size_t begin = end;
+    while (begin > 0 && is_number(text[begin - 1])) --begin;
+    if (begin > 0 && begin < end && text[begin - 1] == '#' && is_large(digits_of(text, begin, end)))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool has_small_keywords(std::string_view text) {
+  bool small = false;
+  for_each_entity(text, [&](std::size_t place) {
+    if (small) return;
+    if (text[place] == '(') place = behind_blanks(text, place + 1);
+    for (; place < text.size() && is_keyword(text[place]); ++place)
+      small = small || is_small(text[place]);
+  });
+  return small;
+}
+
+void sort_complex_entities(std::string& text) {
+  for_each_entity(text, [&](std::size_t place) {
+    if (text[place] != '(') return;
+    if (std::vector<ComplexPart> parts = parts_at(text, place); !parts.empty())
+      sort_parts(text, std::move(parts));
+  });
+}
+
+void renumber_large_entities(std::string& text) {
+  if (!has_large_numbers(text)) return;
+  std::unordered_map<std::string_view, std::size_t> numbers;
+  std::string renumbered;
+  std::size_t done = 0;
+  for_each_number(text, [&](std::size_t begin, std::size_t end) {
+    const auto [found, is_new] =
+        numbers.try_emplace(digits_of(text, begin, end), numbers.size() + 1);
+    renumbered.append(text, done, begin - done).append(std::to_string(found->second));
+    done = end;
+  });
+  renumbered.append(text, done);
+  text = std::move(renumbered);
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How entities are written in a STEP text, where the standard leaves or writers take liberties that
+// Open CASCADE does not understand. For this folder only.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace blossom::occt {
+
+/// Whether keywords of entities have small letters: "#1=Point(...)", "#1=(named_unit(*)...)".
+bool has_small_keywords(std::string_view text);
+
+/// Sorts the parts of complex entities, "(LENGTH_UNIT()NAMED_UNIT(*)...)", by their names, as ISO
+/// 10303-21 has them: Open CASCADE finds no value in others, the factor of an inch, say. The text
+/// keeps its length.
+void sort_complex_entities(std::string& text);
+
+/// Numbers entities anew, from 1 in the order in which the text has them, if a number is beyond
+/// 2^31 - 1: Open CASCADE crashes on these. Messages then have the new numbers.
+void renumber_large_entities(std::string& text);
+
+}  // namespace blossom::occt
