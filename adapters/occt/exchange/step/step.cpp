@@ -3,22 +3,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-#include <Interface_Check.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
-#include <StepShape_FaceSurface.hxx>
-#include <StepShape_SolidModel.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
-#include <TransferBRep.hxx>
-#include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
@@ -29,78 +21,12 @@
 #include "adapters/occt/exchange/step/step_faults.h"
 #include "adapters/occt/exchange/step/step_names.h"
 #include "adapters/occt/exchange/step/step_other_files.h"
+#include "adapters/occt/exchange/step/step_results.h"
 #include "adapters/occt/exchange/step/step_sides.h"
 #include "adapters/occt/exchange/step/step_text.h"
 
 namespace blossom::occt {
 namespace {
-
-/// What Open CASCADE says against an entity while it makes shapes.
-std::string transfer_cause(const Transfer_TransientProcess& made,
-                           const Handle(Standard_Transient) & entity) {
-  const Handle(Transfer_Binder) binder = made.Find(entity);
-  if (binder.IsNull()) return {};
-  const Handle(Interface_Check) check = binder->Check();
-  if (check.IsNull()) return {};
-  if (check->HasFailed()) return check->CFail(1);
-  return check->HasWarnings() ? check->CWarning(1) : "";
-}
-
-/// Faces that Open CASCADE could not make, or not as they are in the file, and solids that it gave
-/// up: the model can be used without them, but not silently.
-class Results {
- public:
-  Results(const StepOwners& owners, const Transfer_TransientProcess& made, ReadingReport& report)
-      : owners_(owners), made_(made), report_(report) {}
-
-  void list_turned(const std::vector<Handle(StepShape_FaceSurface)>& faces) {
-    for (const auto& face : faces)
-      add(face, "face",
-          "it is not what the file says: Open CASCADE takes its border for that of the rest of the "
-          "surface");
-  }
-
-  void list(const std::set<const Standard_Transient*>& known) {
-    for (int i = 1; i <= owners_.model().NbEntities(); ++i) {
-      const Handle(Standard_Transient)& entity = owners_.model().Value(i);
-      if (known.contains(entity.get())) continue;
-      if (const auto face = Handle(StepShape_FaceSurface)::DownCast(entity); !face.IsNull())
-        list_face(face);
-      else if (entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)) && has_failed(entity))
-        add(entity, owners_.type(entity), transfer_cause(made_, entity));
-    }
-  }
-
- private:
-  bool has_failed(const Handle(Standard_Transient) & entity) const {
-    const Handle(Transfer_Binder) binder = made_.Find(entity);
-    return !binder.IsNull() && !binder->Check().IsNull() && binder->Check()->HasFailed();
-  }
-
-  void list_face(const Handle(StepShape_FaceSurface) & face) {
-    const Handle(Transfer_Binder) binder = made_.Find(face);
-    const TopoDS_Shape shape = TransferBRep::ShapeResult(binder);
-    if (shape.IsNull()) {
-      // Faces that nobody asked for: of features, of the history of a part.
-      if (binder.IsNull() && !owners_.product(face).expected) return;
-      const std::string cause = transfer_cause(made_, face);
-      add(face, "face", cause.empty() ? "Open CASCADE makes no face of it" : cause);
-    }
-  }
-
-  void add(const Handle(Standard_Transient) & entity, const std::string& what,
-           const std::string& cause) {
-    Loss loss{what, cause, true};
-    loss.which.push_back(owners_.label(entity));
-    if (const std::string product = owners_.product(entity).name; !product.empty())
-      loss.belongs_to.push_back(product);
-    report_.add(loss);
-  }
-
-  const StepOwners& owners_;
-  const Transfer_TransientProcess& made_;
-  ReadingReport& report_;
-};
 
 /// The unit of the file, "MM" if it has none.
 void find_unit(STEPControl_Reader& reader, Contents& contents) {
@@ -164,7 +90,7 @@ Handle(Standard_Transient) read_step(Reading& reading) {
   find_unit(reader, reading.contents);
   Transfer_TransientProcess& made = *reader.WS()->TransferReader()->TransientProcess();
   const TurnedFaces turned = mend_turned_faces(*model, made);
-  Results results(owners, made, reading.report);
+  StepResults results(owners, made, reading.report);
   results.list(left_out);
   results.list_turned(turned.left);
   PlainParts& parts = reading.contents.parts;

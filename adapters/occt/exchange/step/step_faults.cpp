@@ -28,6 +28,8 @@
 #include <StepRepr_Representation.hxx>
 #include <StepRepr_RepresentationMap.hxx>
 #include <StepRepr_RepresentationRelationship.hxx>
+#include <StepRepr_RepresentationRelationshipWithTransformation.hxx>
+#include <StepRepr_ShapeRepresentationRelationship.hxx>
 #include <StepShape_ConnectedFaceSet.hxx>
 #include <StepShape_ContextDependentShapeRepresentation.hxx>
 #include <StepShape_EdgeCurve.hxx>
@@ -63,6 +65,17 @@ bool is_assembly(const Entity& entity) {
          entity->IsKind(STANDARD_TYPE(StepRepr_ItemDefinedTransformation)) ||
          entity->IsKind(STANDARD_TYPE(StepRepr_MappedItem)) ||
          entity->IsKind(STANDARD_TYPE(StepShape_ContextDependentShapeRepresentation));
+}
+
+/// Units of lengths and of angles, and what says which of them hold. Without these, lengths are
+/// taken as millimetres and angles as radians.
+bool is_unit(const Entity& entity) {
+  const std::string_view type = entity->DynamicType()->Name();
+  const auto names = [&](std::string_view word) {
+    return type.find(word) != std::string_view::npos;
+  };
+  return names("LengthUnit") || names("LengthMeasureWithUnit") || names("PlaneAngleUnit") ||
+         names("PlaneAngleMeasureWithUnit") || names("GlobalUnitAssigned") || names("GlobUnitAss");
 }
 
 /// What a damaged entity lacks.
@@ -177,11 +190,18 @@ std::string silent_fault(const Standard_Transient& entity) {
   return {};
 }
 
+/// Whether a unit is not what the file says. The exponents of its dimensions are not needed.
+bool loses_unit(const Entity& entity, const Fault& fault) {
+  if (!is_unit(entity) || fault.cause.starts_with("dimensions")) return false;
+  return fault.harm == Harm::Field || fault.cause.starts_with("Count of Parameters");
+}
+
 Fault fault_of(const StepData_StepModel& model, int number) {
   const Handle(Interface_Check) check = model.Check(number, true);
   Fault fault;
   if (!check.IsNull() && check->HasFailed()) fault = loading_fault(*check);
   const Entity& entity = model.Value(number);
+  if (loses_unit(entity, fault)) fault.cause += ": lengths or angles may be wrong";
   if (fault.harm == Harm::Field || !is_geometry(entity)) return fault;
   if (const std::string silent = silent_fault(*entity); !silent.empty())
     return {silent, Harm::Field};
@@ -310,6 +330,7 @@ class Damage {
   Damage(const StepOwners& owners, ReadingReport& report) : owners_(owners), report_(report) {}
 
   void add(const Entity& entity, const Fault& fault) {
+    if (is_of_two_shapes(entity) && !fault.unresolved) return;
     const Uses uses = fault.harm == Harm::Field && is_geometry(entity)
                           ? uses_of(owners_.graph(), entity)
                           : Uses{};
@@ -321,12 +342,14 @@ class Damage {
     const bool part = fault.harm == Harm::Field && is_assembly(entity);
     const bool item = fault.unresolved && entity->IsKind(STANDARD_TYPE(StepRepr_Representation)) &&
                       is_geometry(entity);
-    Loss loss{owners_.type(entity), fault.cause, uses.shape || part || item};
+    const bool unit = loses_unit(entity, fault);
+    Loss loss{owners_.type(entity), fault.cause, uses.shape || part || item || unit};
     loss.which.push_back(owners_.label(entity));
     report_.add(loss);
+    if (is_of_two_shapes(entity)) out_.insert(entity.get());
   }
 
-  /// Faces and solids that must not be made.
+  /// Faces and solids that must not be made, and what else is listed and looked at again.
   const Entities& out() const { return out_; }
 
  private:
@@ -355,6 +378,8 @@ bool is_part_of_shape(const Entity& entity) {
          entity->IsKind(STANDARD_TYPE(StepRepr_MappedItem));
 }
 
+}  // namespace
+
 std::string product_name(const Entity& entity) {
   const auto definition = Handle(StepRepr_PropertyDefinition)::DownCast(entity);
   if (definition.IsNull()) return {};
@@ -366,7 +391,10 @@ std::string product_name(const Entity& entity) {
              : "product '" + std::string(of->Name()->ToCString()) + "'";
 }
 
-}  // namespace
+bool is_of_two_shapes(const Entity& entity) {
+  return entity->IsKind(STANDARD_TYPE(StepRepr_ShapeRepresentationRelationship)) &&
+         !entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationRelationshipWithTransformation));
+}
 
 std::string StepOwners::label(const Handle(Standard_Transient) & entity) const {
   return model_.StringLabel(entity)->ToCString();

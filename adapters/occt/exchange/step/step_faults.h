@@ -40,6 +40,13 @@ class StepOwners {
   const Interface_Graph& graph_;
 };
 
+/// "product 'Bolt'" of what a property or shape is defined of; empty if that is no product.
+std::string product_name(const Handle(Standard_Transient) & definition);
+
+/// Whether an entity relates two representations of one shape, neither of which is placed in the
+/// other. What is lost if one of them is not read shows when shapes are made.
+bool is_of_two_shapes(const Handle(Standard_Transient) & entity);
+
 /// Lists the entities that Open CASCADE could not load whole or would read wrong. Faces whose
 /// geometry or border is among these are taken out of their shells; an edge whose curve is damaged
 /// in the parameters of a face only keeps its curve in space.
