@@ -22,6 +22,8 @@
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
 #include <Interface_Check.hxx>
+#include <Interface_EntityIterator.hxx>
+#include <Interface_Graph.hxx>
 #include <Interface_Static.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TransferBRep.hxx>
@@ -36,8 +38,17 @@
 namespace blossom::occt {
 namespace {
 
-constexpr std::size_t kSectionColumn = 72;
+constexpr std::size_t kSectionColumn = 72, kLineLength = 80;
 constexpr std::string_view kSections = "SGDP";
+
+/// Breaks a text that is one line, as old systems with lines of a fixed length have it.
+void break_lines(std::string& text) {
+  if (text.find('\n') != std::string::npos || text.size() <= kLineLength) return;
+  std::string lines;
+  for (std::size_t i = 0; i < text.size(); i += kLineLength)
+    lines.append(text, i, kLineLength) += '\n';
+  text = std::move(lines);
+}
 
 /// Lines of each section, and the last line, which says how many there should be.
 struct Lines {
@@ -155,6 +166,45 @@ void list_lost_faces(const IGESData_IGESModel& model, const Transfer_TransientPr
   }
 }
 
+/// Whether an entity that no other one takes should become a shape: geometry, solids and figures,
+/// but no matrices, directions, or copious data and flashes, which drawings have.
+bool should_be_shape(const Handle(Standard_Transient) & entity) {
+  const std::string_view type = entity->DynamicType()->Name();
+  for (const char* other : {"IGESGeom_TransformationMatrix", "IGESGeom_Direction",
+                            "IGESGeom_CopiousData", "IGESGeom_Flash"})
+    if (type == other) return false;
+  return type.starts_with("IGESGeom_") || type.starts_with("IGESSolid_") ||
+         type == "IGESBasic_SingularSubfigure";
+}
+
+/// Open CASCADE makes nothing of some kinds, of primitives and scaled figures, and does not say so.
+void list_lost_roots(const IGESControl_Reader& reader, const IGESData_IGESModel& model,
+                     ReadingReport& report) {
+  const Handle(XSControl_WorkSession) session = reader.WS();
+  const Handle(Transfer_TransientProcess) made = session->TransferReader()->TransientProcess();
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const Handle(Standard_Transient) root = model.Value(i);
+    if (!should_be_shape(root) || is_face(root)) continue;
+    if (!TransferBRep::ShapeResult(made->Find(root)).IsNull()) continue;
+    if (session->Graph().Sharings(root).NbEntities() > 0) continue;
+    report.add({kind_of(root), "Open CASCADE makes no shape of it", true, 1, {label(model, root)}});
+  }
+}
+
+/// Flags 1 to 11 are units, 3 says that the name is one. Without a unit Open CASCADE takes
+/// millimetres, or makes nothing.
+void list_unknown_unit(const IGESData_GlobalSection& section, ReadingReport& report) {
+  constexpr int kByName = 3, kMostUnits = 11;
+  const int flag = section.UnitFlag();
+  const std::string name = section.UnitName().IsNull() ? "" : section.UnitName()->ToCString();
+  const bool known = flag == kByName ? names_unit(name) : 1 <= flag && flag <= kMostUnits;
+  if (known) return;
+  report.add({"the unit of lengths",
+              "the file has the flag " + std::to_string(flag) + " and the name '" + name +
+                  "', which are none: lengths may be wrong",
+              true});
+}
+
 void transfer_roots(IGESControl_Reader& reader, ReadingReport& report) {
   for (int i = 1; i <= reader.NbRootsForTransfer(); ++i) try {
       reader.TransferOneRoot(i);
@@ -174,16 +224,21 @@ void read_iges(Reading& reading) {
   reader.SetLayerMode(true);
   reading.begin("reading the entities");
   mend_line_ends(reading.text);
+  break_lines(reading.text);
+  if (reading.text.size() > kSectionColumn && reading.text[kSectionColumn] == 'C')
+    refuse("is in the compressed form of IGES, which Open CASCADE does not read", reading.report);
   list_missing_lines(reading.text, reading.report);
   const MemoryFile text(reading.text);
   if (reader.ReadFile(text.name().c_str()) != IFSelect_RetDone)
     refuse("is no readable IGES file", reading.report);
   const auto model = Handle(IGESData_IGESModel)::DownCast(reader.Model());
   list_loading_faults(*model, reading.report);
+  list_unknown_unit(model->GlobalSection(), reading.report);
   name_subfigures(*model);
 
   reading.begin("transferring the shapes");
   transfer_roots(reader, reading.report);
+  list_lost_roots(reader, *model, reading.report);
   list_lost_faces(*model, *reader.WS()->TransferReader()->TransientProcess(), reading.report);
   const Handle(TCollection_HAsciiString) unit = model->GlobalSection().UnitName();
   if (!unit.IsNull()) reading.contents.unit = unit_named(unit->ToCString());

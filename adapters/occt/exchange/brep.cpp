@@ -92,6 +92,7 @@ void check_tables(std::string_view text) {
 bool is_cut_off(std::string_view text) {
   const Table table = table_of(text, "TShapes");
   if (!table.found || table.count < 0) throw BadModel("is cut off before its shapes");
+  if (table.count == 0) return false;  // it holds none
   const long stars = std::count(table.rest.begin(), table.rest.end(), '*');
   const std::size_t last = table.rest.rfind('*');
   const std::string_view end =
@@ -123,10 +124,22 @@ TopoDS_Shape whole_shapes(const TopTools_ShapeSet& set) {
   return whole.empty() ? TopoDS_Shape() : compound_of(whole);
 }
 
+/// Open CASCADE knows three of them by their whole lines.
+void check_version(std::string_view text) {
+  const std::string_view line = trimmed(text.substr(0, text.find('\n')));
+  for (const char* known :
+       {"CASCADE Topology V1, (c) Matra-Datavision", "CASCADE Topology V2, (c) Matra-Datavision",
+        "CASCADE Topology V3, (c) Open Cascade"})
+    if (line == known) return;
+  throw BadModel("is of no version that is known: '" + std::string(line.substr(0, 80)) + "'");
+}
+
 TopoDS_Shape text_shape(std::string_view text, ReadingReport& report) {
   text.remove_prefix(text.find("CASCADE Topology V"));
+  check_version(text);
   check_tables(text);
   const bool cut = is_cut_off(text);
+  if (table_of(text, "TShapes").count == 0) return {};
   StrictStream in{std::string(text)};
   BRepTools_ShapeSet set{BRep_Builder()};
   TopoDS_Shape shape;

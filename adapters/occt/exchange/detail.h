@@ -57,7 +57,10 @@ struct Reading {
 [[noreturn]] void refuse(const std::string& cause, const ReadingReport& report);
 
 /// A length unit's name in a file, "millimetre" or "INCH", in the words of `write.step.unit`.
-std::string unit_named(std::string name);
+std::string unit_named(const std::string& name);
+
+/// Whether that is the name of a unit at all.
+bool names_unit(const std::string& name);
 
 /// Line ends of old Macintoshes, which have no line feeds, become line feeds.
 void mend_line_ends(std::string& text);

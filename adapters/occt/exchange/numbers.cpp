@@ -18,6 +18,7 @@
 #include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_OffsetCurve.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
+#include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -48,7 +49,9 @@ void check_face(const TopoDS_Face& face, const NumberSource& source) {
   const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
   if (surface.IsNull()) {
     const std::string why = source.without_surface();
-    throw BadModel(why.empty() ? "it has no surface" : "its surface cannot be read: " + why);
+    if (!why.empty()) throw BadModel("its surface cannot be read: " + why);
+    const bool triangles = !BRep_Tool::Triangulation(face, location).IsNull();
+    throw BadModel(triangles ? "it has triangles and no surface" : "it has no surface");
   }
   check_numbers(*surface);
   check_tolerance(BRep_Tool::Tolerance(face));

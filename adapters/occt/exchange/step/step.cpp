@@ -57,9 +57,8 @@ void take_names(Reading& reading, const StepData_StepModel& model,
   }
 }
 
-}  // namespace
-
-std::string unit_named(std::string name) {
+/// Empty if it is none.
+std::string known_unit(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::pair<const char*, const char*> words[] = {
@@ -69,8 +68,17 @@ std::string unit_named(std::string name) {
       {"mi", "MI"},    {"uin", "UIN"},  {"m", "M"}};
   for (const auto& [word, unit] : words)
     if (name.starts_with(word)) return unit;
-  return "MM";
+  return {};
 }
+
+}  // namespace
+
+std::string unit_named(const std::string& name) {
+  const std::string unit = known_unit(name);
+  return unit.empty() ? "MM" : unit;
+}
+
+bool names_unit(const std::string& name) { return !known_unit(name).empty(); }
 
 Handle(Standard_Transient) read_step(Reading& reading) {
   STEPControl_Reader reader;

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What no model has: compounds in compounds as deep as only hostile files are, and places that
-// scale.
+// What no model has: compounds in compounds as deep as only hostile files are, places that scale,
+// faces without surfaces or without ends.
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <Poly_Triangulation.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 
@@ -78,6 +82,40 @@ TEST(OddPlaces, MirroredFacesAreReadAndChecked) {
   const Model model = with_place("-1 0 0 5");
   ASSERT_EQ(model.face_count(), 12);
   for (int number = 1; number <= 12; ++number) EXPECT_NO_THROW(face_fault(model.face(number)));
+}
+
+std::string refusal_of_brep(const TopoDS_Shape& shape, const std::string& version = "") {
+  const Folder folder;
+  BRepTools::Write(shape, (folder / "part.brep").c_str());
+  std::string text = testing::content(folder / "part.brep");
+  if (!version.empty()) text.replace(text.find("V3") + 1, 1, version);
+  testing::write_content(folder / "part.brep", text);
+  try {
+    read_model(folder / "part.brep");
+  } catch (const BadModel& error) {
+    const std::string what = error.what();
+    return what.substr(what.find(": ") + 2);
+  }
+  return "accepted";
+}
+
+TEST(OddBreps, AreRefusedInWords) {
+  EXPECT_EQ(refusal_of_brep(TopoDS_Shape()), "holds no shape");
+  EXPECT_EQ(refusal_of_brep(BRepBuilderAPI_MakeFace(gp_Pln()).Shape()),
+            "holds nothing but a face without a border");
+  EXPECT_EQ(refusal_of_brep(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), "9"),
+            "is of no version that is known: 'CASCADE Topology V9, (c) Open Cascade'");
+}
+
+TEST(OddBreps, OfTrianglesAloneAreRefusedAsSuch) {
+  const Handle(Poly_Triangulation) triangles = new Poly_Triangulation(3, 1, false);
+  triangles->SetNode(2, gp_Pnt(1, 0, 0));
+  triangles->SetNode(3, gp_Pnt(0, 1, 0));
+  triangles->SetTriangle(1, Poly_Triangle(1, 2, 3));
+  TopoDS_Face face;
+  BRep_Builder().MakeFace(face, triangles);
+  EXPECT_EQ(refusal_of_brep(face),
+            "holds no shape that can be used: face (face 1): it has triangles and no surface");
 }
 
 }  // namespace
