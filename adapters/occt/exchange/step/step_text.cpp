@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "adapters/occt/exchange/file_text.h"
-#include "adapters/occt/exchange/step_entities.h"
-#include "adapters/occt/exchange/step_scan.h"
-#include "adapters/occt/exchange/step_sections.h"
+#include "adapters/occt/exchange/step/step_entities.h"
+#include "adapters/occt/exchange/step/step_scan.h"
+#include "adapters/occt/exchange/step/step_sections.h"
 
 namespace blossom::occt {
 namespace {

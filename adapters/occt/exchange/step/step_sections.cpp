@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/exchange/step_sections.h"
+#include "adapters/occt/exchange/step/step_sections.h"
 
 #include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "adapters/occt/exchange/file_text.h"
-#include "adapters/occt/exchange/step_scan.h"
+#include "adapters/occt/exchange/step/step_scan.h"
 
 namespace blossom::occt {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/exchange/step_scan.h"
+#include "adapters/occt/exchange/step/step_scan.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/exchange/step_entities.h"
+#include "adapters/occt/exchange/step/step_entities.h"
 
 #include <algorithm>
 #include <cctype>
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "adapters/occt/exchange/file_text.h"
-#include "adapters/occt/exchange/step_scan.h"
+#include "adapters/occt/exchange/step/step_scan.h"
 
 namespace blossom::occt {
 namespace {
