@@ -10,7 +10,7 @@
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/edge_facts.h"
-#include "plugin/reports/blend_words.h"
+#include "plugin/reports/blends/blend_words.h"
 
 namespace blossom::draw {
 namespace {

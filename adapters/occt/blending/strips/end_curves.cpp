@@ -233,7 +233,7 @@ std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const Roll
     for (const PlanarCrossing& each : meetings(body, strip, side, use, strip.range)) {
       const bool to_left = crossing_rate(body, strip, side, use, each) > 0;
       all.push_back({each.a, &use, each.b, ((side == 0) != reversed) == to_left,
-                     to_left != use.coedge->reversed()});
+                     to_left != use.coedge->reversed});
     }
   }
   std::sort(all.begin(), all.end(),
