@@ -95,6 +95,7 @@ bool is_near(const PlanarBox& box, const Vec2& point, double margin) {
 struct ShapeRays::Impl {
   Impl(const std::vector<TopoDS_Face>& all, double within, const WorkLimit* limit)
       : faces(all), tolerance(within), caster(caster_of(all, within, limit)) {
+    rayed.reserve(all.size());
     for (const TopoDS_Face& face : all) {
       check_limit(limit, kPreparing);
       rayed.emplace_back(face);

@@ -64,11 +64,15 @@ struct FlatLoops {
   }
 };
 
-/// Arcs of a circle, quarter by quarter. turn   1 from (1, 0) to (0, 1), -1 the other way round
-inline PlanarCurve quarters_of_circle(const Vec2& centre, double radius, int turn, int count) {
+/// Arcs of a circle, quarter by quarter.
+/// turn    1 from (1, 0) to (0, 1), -1 the other way round
+/// start   the angle where they begin, radians
+inline PlanarCurve quarters_of_circle(const Vec2& centre, double radius, int turn, int count,
+                                      double start = 0) {
   const double w = std::sqrt(0.5);
   PlanarCurve circle;
-  Vec2 x{radius, 0}, y{0, turn * radius};
+  Vec2 x{radius * std::cos(start), radius * std::sin(start)};
+  Vec2 y = turn * Vec2{-x[1], x[0]};
   for (int i = 0; i < count; ++i) {
     const auto point = [&](const Vec2& out, double weight) {
       return Vec3{(centre + out)[0] * weight, (centre + out)[1] * weight, weight};

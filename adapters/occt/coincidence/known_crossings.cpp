@@ -10,8 +10,8 @@
 #include <gp_Pnt.hxx>
 
 #include "adapters/occt/coincidence/conic_images.h"
-#include "adapters/occt/coincidence/places.h"
 #include "core/base/not_zero.h"
+#include "core/results/contact_places.h"
 #include "core/tracing/deviation.h"
 
 namespace blossom::occt {

@@ -12,7 +12,6 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/coincidence/limits.h"
-#include "adapters/occt/coincidence/places.h"
 #include "adapters/occt/coincidence/trimmed_overlaps.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/pairs/edge_contacts.h"
@@ -20,6 +19,7 @@
 #include "adapters/occt/faces/surface_projector.h"
 #include "core/bounds/box_tree.h"
 #include "core/neighbours/along_shared_edges.h"
+#include "core/results/contact_places.h"
 
 namespace blossom::occt {
 namespace {

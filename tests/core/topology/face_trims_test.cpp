@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/topology/chart_region.h"
@@ -12,6 +13,7 @@
 namespace blossom {
 namespace {
 
+using std::numbers::pi;
 using testing::FlatLoops;
 using testing::kSquare4;
 using testing::plane_chart;
@@ -55,9 +57,9 @@ TEST(TrimsOf, ASeamHaveCornersOfTheirOwnOnEachSide) {
 TEST(TrimsOf, ACircleOvershootByTheCircleAndNotByItsControlPoints) {
   for (const auto& [half, wanted] : {std::pair{1.0, 0.0}, {0.9, 0.1}}) {
     FlatLoops loops;
-    const int vertex = loops.add_vertex({1, 0});
+    const int vertex = loops.add_vertex({std::sqrt(0.5), std::sqrt(0.5)});
     loops.loops.push_back(
-        {loops.coedge(testing::quarters_of_circle({0, 0}, 1, 1, 4), vertex, vertex)});
+        {loops.coedge(testing::quarters_of_circle({0, 0}, 1, 1, 4, pi / 4), vertex, vertex)});
     SurfaceChart chart = plane_chart();
     chart.bounds = {{-half, -half}, {half, half}};
     const auto trims = trims_of(chart, loops.vertices, loops.loops);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where contacts lie that closed forms tell.
+// Places of contacts that are known by points of them.
 
 #pragma once
 
@@ -7,11 +7,11 @@
 
 #include "core/results/result.h"
 
-namespace blossom::occt {
+namespace blossom {
 
 /// A place that holds points of both surfaces, with their parameters.
 /// gap      the largest distance of the surfaces in it, model units
 /// margin   by which it is wider than the points, model units
 Place place_of(const std::vector<SurfacePoint>& points, PlaceKind kind, double gap, double margin);
 
-}  // namespace blossom::occt
+}  // namespace blossom

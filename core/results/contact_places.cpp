@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/coincidence/places.h"
+#include "core/results/contact_places.h"
 
 #include "core/bounds/box_tree.h"
 
-namespace blossom::occt {
+namespace blossom {
 
 Place place_of(const std::vector<SurfacePoint>& points, PlaceKind kind, double gap, double margin) {
   Place place{kind, {}, {}, 0, gap, {}};
@@ -20,4 +20,4 @@ Place place_of(const std::vector<SurfacePoint>& points, PlaceKind kind, double g
   return place;
 }
 
-}  // namespace blossom::occt
+}  // namespace blossom
