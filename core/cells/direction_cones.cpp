@@ -295,11 +295,12 @@ Axes axes_of(const BezierSurface& surface) {
   const std::size_t step = patches.size() / kMaxSampled + 1;
   for (std::size_t p = 0; p < patches.size(); p += step) {
     const PatchJet middle = jet_at(patches[p], 0.5, 0.5, 1);
-    for (int i = 0; i < 4; ++i) {
-      const PatchJet corner = jet_at(patches[p], i % 2, i / 2, 1);
-      add_square(square, corner.u - middle.u);
-      add_square(square, corner.v - middle.v);
-    }
+    for (const double v : {0.0, 1.0})
+      for (const double u : {0.0, 1.0}) {
+        const PatchJet corner = jet_at(patches[p], u, v, 1);
+        add_square(square, corner.u - middle.u);
+        add_square(square, corner.v - middle.v);
+      }
   }
   const Vec3 third = main_direction(square);
   const Vec3 first = unit(cross(third, perpendicular_axis(third)));

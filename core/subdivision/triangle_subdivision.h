@@ -52,7 +52,8 @@ BezierTriangleOf<Point> sub_triangle(const BezierTriangleOf<Point>& triangle,
 /// direction carries 5n + 3 roundings, its dot product n + 1, the last sum the number of its terms.
 constexpr double sub_triangle_error(int degree_u, int degree_v) {
   const int least = std::min(degree_u, degree_v);
-  return (6 * (degree_u + degree_v) + (least + 1) * (least + 2) / 2 + 12) * 0x1p-53;
+  const int terms = (least + 1) * (least + 2) / 2;
+  return (6 * (degree_u + degree_v) + terms + 12) * 0x1p-53;
 }
 
 /// Likewise for a triangle cut out of a triangle: N levels of three products, with 1 - x - y.
