@@ -45,15 +45,6 @@ constexpr double kNear = 2e-3;         // of the size: a point so near a curve i
 constexpr double kTransversal = 0.02;  // sine of the least angle at which a point counts
 constexpr int kGapSamples = 51;        // of a curve
 
-struct Settings {
-  std::uint64_t seed = 1;
-  int pairs = 6;
-  double limit = 10;
-  bool peers = false;
-  std::string keep;
-  std::vector<std::string> files;
-};
-
 struct Outcome {
   Status status = Status::Complete;
   std::size_t curves = 0, points = 0, places = 0;
@@ -130,7 +121,7 @@ void time_peers(const FacePair& faces, double tolerance, Outcome& outcome) {
       [&] { const GeomAPI_IntSS intss(cut_surface(faces.a), cut_surface(faces.b), tolerance); });
 }
 
-Outcome run(const FacePair& faces, const Settings& settings) {
+Outcome run(const FacePair& faces, const PairSettings& settings) {
   const double size = std::min(size_of(faces.a), size_of(faces.b));
   IntersectionOptions options;
   options.tolerances.point = std::max(1e-7, 1e-7 * size);
@@ -191,7 +182,7 @@ void keep(const std::string& folder, const std::string& name, const FacePair& fa
     std::fprintf(stderr, "%s cannot be written\n", file.c_str());
 }
 
-void run_file(const std::string& file, const Settings& settings, Summary& summary) {
+void run_file(const std::string& file, const PairSettings& settings, Summary& summary) {
   const occt::Model model = testing::repaired_model(file);
   std::vector<FacePair> pairs;
   if (model.face_count() == 2) {
@@ -226,29 +217,7 @@ void run_file(const std::string& file, const Settings& settings, Summary& summar
   }
 }
 
-std::optional<Settings> settings_from(int argc, char** argv) {
-  Settings settings;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const auto value = [&] { return i + 1 < argc ? argv[++i] : "0"; };
-    if (word == "--seed")
-      settings.seed = std::strtoull(value(), nullptr, 10);
-    else if (word == "--pairs")
-      settings.pairs = std::atoi(value());
-    else if (word == "--limit")
-      settings.limit = std::atof(value());
-    else if (word == "--keep")
-      settings.keep = value();
-    else if (word == "--peers")
-      settings.peers = true;
-    else
-      settings.files.push_back(word);
-  }
-  if (settings.files.empty()) return std::nullopt;
-  return settings;
-}
-
-int run_all(const Settings& settings) {
+int run_all(const PairSettings& settings) {
   std::printf("seed %llu, %d pairs of a kind and file\n",
               static_cast<unsigned long long>(settings.seed), settings.pairs);
   Summary s;
@@ -272,7 +241,7 @@ int run_all(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace blossom::bench;
-  return run_command(settings_from(argc, argv),
+  return run_command(pair_settings({}, "--peers", argc, argv),
                      "bench_face_pairs [--seed N] [--pairs N] [--limit SECONDS] [--peers] "
                      "[--keep FOLDER] FILE...",
                      run_all);

@@ -60,15 +60,6 @@ constexpr double kAreaError = 1e-9;  // relative
 constexpr int kRuns = 3;
 constexpr double kShort = 0.1;  // seconds
 
-struct Settings {
-  std::uint64_t seed = 1;
-  int pairs = 6;
-  double limit = 15;
-  bool peer = true;
-  std::string keep;
-  std::vector<std::string> files;
-};
-
 // Of one side; plain values, so that it can be passed between processes.
 struct Split {
   Ending ending = Ending::Died;
@@ -117,7 +108,7 @@ bool is_harmless(const std::string& note) {
   return false;
 }
 
-Split by_blossom(const FacePair& faces, const Settings& settings) {
+Split by_blossom(const FacePair& faces, const PairSettings& settings) {
   const double size = std::min(size_of(faces.a), size_of(faces.b));
   occt::TrimOptions options;
   options.intersection.tolerances.point = std::max(1e-7, 1e-7 * size);
@@ -167,7 +158,7 @@ Split quickest(const std::function<Split()>& work) {
 }
 
 // Integration of what either side made costs time as well.
-Split measured(const Settings& settings, const std::function<Split()>& work) {
+Split measured(const PairSettings& settings, const std::function<Split()>& work) {
   Split split;
   const Ending ending = apart<Split>(3 * settings.limit, split, [&] { return quickest(work); });
   if (ending != Ending::Done) split = {};
@@ -251,7 +242,7 @@ void keep(const std::string& folder, const std::string& name, const FacePair& fa
     std::fprintf(stderr, "%s cannot be written\n", file.c_str());
 }
 
-std::vector<FacePair> pairs_of(const std::string& file, const Settings& settings) {
+std::vector<FacePair> pairs_of(const std::string& file, const PairSettings& settings) {
   const occt::Model model = testing::repaired_model(file);
   if (model.face_count() == 2) return {{"--", model.face(1), model.face(2)}};
   TopoDS_Compound all;
@@ -261,16 +252,16 @@ std::vector<FacePair> pairs_of(const std::string& file, const Settings& settings
   return draw_pairs(all, settings.seed, settings.pairs);
 }
 
-void run_file(const std::string& file, const Settings& settings,
+void run_file(const std::string& file, const PairSettings& settings,
               std::map<std::string, Summary>& table) {
   const std::string name = std::filesystem::path(file).stem();
   const std::vector<FacePair> pairs = pairs_of(file, settings);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Both both;
     both.ours = measured(settings, [&] { return by_blossom(pairs[i], settings); });
-    if (settings.peer) both.theirs = measured(settings, [&] { return by_occt(pairs[i]); });
-    print(name, pairs[i], i, both, settings.peer);
-    const bool other = settings.peer && both.theirs.ending == Ending::Done &&
+    if (settings.peers) both.theirs = measured(settings, [&] { return by_occt(pairs[i]); });
+    print(name, pairs[i], i, both, settings.peers);
+    const bool other = settings.peers && both.theirs.ending == Ending::Done &&
                        both.theirs.pieces != both.ours.pieces;
     if (!settings.keep.empty() && (both.ours.wrong() || both.ours.refused[0] != 0 || other ||
                                    both.ours.status == Status::Stopped))
@@ -298,29 +289,7 @@ void print_table(const std::map<std::string, Summary>& table) {
   }
 }
 
-std::optional<Settings> settings_from(int argc, char** argv) {
-  Settings settings;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const auto value = [&] { return i + 1 < argc ? argv[++i] : "0"; };
-    if (word == "--seed")
-      settings.seed = std::strtoull(value(), nullptr, 10);
-    else if (word == "--pairs")
-      settings.pairs = std::atoi(value());
-    else if (word == "--limit")
-      settings.limit = std::atof(value());
-    else if (word == "--keep")
-      settings.keep = value();
-    else if (word == "--no-peer")
-      settings.peer = false;
-    else
-      settings.files.push_back(word);
-  }
-  if (settings.files.empty()) return std::nullopt;
-  return settings;
-}
-
-int run_all(const Settings& settings) {
+int run_all(const PairSettings& settings) {
   std::printf("seed %llu, %d pairs of a kind and file\n",
               static_cast<unsigned long long>(settings.seed), settings.pairs);
   std::map<std::string, Summary> table;
@@ -335,7 +304,7 @@ int run_all(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace blossom::bench;
-  return run_command(settings_from(argc, argv),
+  return run_command(pair_settings({.limit = 15, .peers = true}, "--no-peer", argc, argv),
                      "bench_splits [--seed N] [--pairs N] [--limit SECONDS] [--no-peer] "
                      "[--keep FOLDER] FILE...",
                      run_all);

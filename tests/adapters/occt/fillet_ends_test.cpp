@@ -182,16 +182,10 @@ TEST(FilletOfAShell, SaysThatItsEdgesAreOfNoSolid) {
       << made.refused.front().text();
 }
 
-// A triangular rib of height 15 and length 20 on a plate: at the foot of its slope the ball
-// touches the slope lower than the sides.
-TEST(FilletRoundARib, StripsOfFacesAtDifferentAnglesMeetInAMitre) {
-  const double thickness = 4, r = 1;
-  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -5), gp_Pnt(40, 14, 0)).Shape();
-  const TopoDS_Shape rib = prism({{0, 0, 0}, {20, 0, 0}, {0, 0, 15}}, {0, thickness, 0});
-  const TopoDS_Shape shape = BRepAlgoAPI_Fuse(plate, rib).Shape();
-  const std::vector<int> edges =
-      edges_where(shape, EdgeKind::Concave, [](const Vec3& at) { return std::abs(at[2]) < 1e-9; });
-  ASSERT_EQ(edges.size(), 4U);
+// What strips of radius r add round the foot of three upright sides and a slope of 15 over 20, and
+// take away inside out. The ball touches the slope lower than the sides, so that strips of both
+// meet in mitres.
+double strips_round_a_wedge(double thickness, double r) {
   // How far strips come from a side and from the slope at height z.
   const auto upright = [&](double z) { return r - std::sqrt(2 * r * z - z * z); };
   const auto sloping = [&](double z) {
@@ -201,11 +195,21 @@ TEST(FilletRoundARib, StripsOfFacesAtDifferentAnglesMeetInAMitre) {
     const double w = upright(z), v = sloping(z);
     return 2 * w * (20 - 4 * z / 3) + (w + v) * thickness + 2 * w * w + 2 * w * v;
   };
-  const double low = std::sqrt(0.2 * r);  // z = s^2
+  const double low = std::sqrt(0.2 * r), high = std::sqrt(r);  // z = s^2
   const auto by_root = [&](double s) { return 2 * s * ring(s * s); };
-  const double more = integral(0, low, by_root) + integral(low, 1, by_root);
+  return integral(0, low, by_root) + integral(low, high, by_root);
+}
 
-  expect_change(fillet(shape, edges, {.radius = r}), more, 1e-8);
+// A triangular rib of height 15 and length 20 on a plate.
+TEST(FilletRoundARib, StripsOfFacesAtDifferentAnglesMeetInAMitre) {
+  const double thickness = 4, r = 1;
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -5), gp_Pnt(40, 14, 0)).Shape();
+  const TopoDS_Shape rib = prism({{0, 0, 0}, {20, 0, 0}, {0, 0, 15}}, {0, thickness, 0});
+  const TopoDS_Shape shape = BRepAlgoAPI_Fuse(plate, rib).Shape();
+  const std::vector<int> edges =
+      edges_where(shape, EdgeKind::Concave, [](const Vec3& at) { return std::abs(at[2]) < 1e-9; });
+  ASSERT_EQ(edges.size(), 4U);
+  expect_change(fillet(shape, edges, {.radius = r}), strips_round_a_wedge(thickness, r), 1e-8);
 }
 
 // The same inside out: the rim of a pocket with three upright walls and a slope.
@@ -218,19 +222,7 @@ TEST(FilletRoundAPocket, StripsOfFacesAtDifferentAnglesMeetInAMitre) {
     return std::abs(at[2]) < 1e-9 && at[0] > -1 && at[0] < 21 && at[1] > -1 && at[1] < 5;
   });
   ASSERT_EQ(edges.size(), 4U);
-  const auto upright = [&](double z) { return r - std::sqrt(2 * r * z - z * z); };
-  const auto sloping = [&](double z) {
-    return z < 0.2 * r ? r / 3 + 4 * z / 3 - std::sqrt(2 * r * z - z * z) : 0.0;
-  };
-  const auto ring = [&](double z) {
-    const double w = upright(z), v = sloping(z);
-    return 2 * w * (20 - 4 * z / 3) + (w + v) * 4 + 2 * w * w + 2 * w * v;
-  };
-  const double low = std::sqrt(0.2 * r);
-  const auto by_root = [&](double s) { return 2 * s * ring(s * s); };
-  const double less = integral(0, low, by_root) + integral(low, 1, by_root);
-
-  expect_change(fillet(shape, edges, {.radius = r}), -less, 1e-8);
+  expect_change(fillet(shape, edges, {.radius = r}), -strips_round_a_wedge(4, r), 1e-8);
 }
 
 }  // namespace

@@ -110,6 +110,20 @@ class CellNets : public ::testing::TestWithParam<int> {
     if (GetParam() % 3 == 0) return 0.5;
     return shape().size() > 300 ? pick(random, 20, 44) / 64.0 : uniform(random, 0.3, 0.7);
   }
+
+  // Halves a net twenty times, at random along u and v, and goes on with either half.
+  Place halved_twenty_times(testing::Random& random, Net& net, Halving halve_u,
+                            Halving halve_v) const {
+    Place place;
+    for (int depth = 0; depth < 20; ++depth) {
+      const bool along_u = pick(random, 0, 1) == 0, low = pick(random, 0, 1) == 0;
+      const double at = cut(random);
+      Halves halves = halve(along_u ? halve_u : halve_v, shape(), net, at);
+      net = low ? halves.low : halves.high;
+      place.enter(along_u, low, at);
+    }
+    return place;
+  }
 };
 
 TEST(CellNet, HalvesOfTheSaddleAreKnownByHand) {
@@ -196,14 +210,7 @@ TEST_P(CellNets, TwentyHalvingsOfABezierNetStayWithinTheStatedError) {
   auto random = seeded(GetParam());
   const Net start = random_net(random, shape());
   Net net = start;
-  Place place;
-  for (int depth = 0; depth < 20; ++depth) {
-    const bool along_u = pick(random, 0, 1) == 0, low = pick(random, 0, 1) == 0;
-    const double at = cut(random);
-    Halves halves = halve(along_u ? halve_bezier_u : halve_bezier_v, shape(), net, at);
-    net = low ? halves.low : halves.high;
-    place.enter(along_u, low, at);
-  }
+  const Place place = halved_twenty_times(random, net, halve_bezier_u, halve_bezier_v);
   const double bound = halving_error(std::max(shape().rows, shape().columns) - 1, 20);
   const auto along_u = detail::subdivision_matrix(shape().rows - 1, place.u);
   const auto along_v = detail::subdivision_matrix(shape().columns - 1, place.v);
@@ -223,14 +230,7 @@ TEST_P(CellNets, TwentyHalvingsOfCoefficientsStayWithinTheStatedError) {
   auto random = seeded(GetParam());
   const Net start = random_net(random, shape());
   Net coefficients = start;
-  Place place;
-  for (int depth = 0; depth < 20; ++depth) {
-    const bool along_u = pick(random, 0, 1) == 0, low = pick(random, 0, 1) == 0;
-    const double at = cut(random);
-    Halves halves = halve(along_u ? halve_monomial_u : halve_monomial_v, shape(), coefficients, at);
-    coefficients = low ? halves.low : halves.high;
-    place.enter(along_u, low, at);
-  }
+  const Place place = halved_twenty_times(random, coefficients, halve_monomial_u, halve_monomial_v);
   // A cell [a, b] of [0, 1] is x = (b - a) y + (a + b - 1).
   const ExactPlane plane = exact_plane(shape(), start, 0);
   const ExactPlane along_u =

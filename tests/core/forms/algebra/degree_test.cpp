@@ -138,25 +138,28 @@ TEST_P(DegreeProperty, ReducedHasAnErrorThatHoldsExactly) {
   }
 }
 
+// Of the points of a form raised to degree 6 from those of one of that degree.
+template <class Form>
+double squared_distance(const Form& lower, const Form& form) {
+  double sum = 0;
+  const Form higher = elevated(lower, 6);
+  for (std::size_t k = 0; k < higher.points.size(); ++k) {
+    const Vec3 gap = higher.points[k] - form.points[k];
+    sum += dot(gap, gap);
+  }
+  return sum;
+}
+
 TEST_P(DegreeProperty, ReducedIsNearestAmongItsNeighbours) {
   auto random = seeded(GetParam());
   const BezierCurve curve = random_curve(random, 6);
-  const auto sum_of_squares = [&](const BezierCurve& lower) {
-    double sum = 0;
-    const BezierCurve higher = elevated(lower, 6);
-    for (std::size_t k = 0; k < higher.points.size(); ++k) {
-      const Vec3 gap = higher.points[k] - curve.points[k];
-      sum += dot(gap, gap);
-    }
-    return sum;
-  };
   const BezierCurve lower = reduced(curve, 4).form;
 
   for (std::size_t k = 1; k < 4; ++k)
     for (double step : {-1e-3, 1e-3}) {
       BezierCurve neighbour = lower;
       neighbour.points[k][GetParam() % 3] += step;
-      EXPECT_GT(sum_of_squares(neighbour), sum_of_squares(lower));
+      EXPECT_GT(squared_distance(neighbour, curve), squared_distance(lower, curve));
     }
 }
 
@@ -202,22 +205,13 @@ TEST_P(DegreeProperty, OfATriangleReducedHasTheSidesReducedAndItsErrorHoldsExact
 TEST_P(DegreeProperty, OfATriangleReducedIsNearestAmongItsNeighbours) {
   auto random = seeded(GetParam());
   const BezierTriangle triangle = random_triangle(random, 6);
-  const auto sum_of_squares = [&](const BezierTriangle& lower) {
-    double sum = 0;
-    const BezierTriangle higher = elevated(lower, 6);
-    for (std::size_t k = 0; k < higher.points.size(); ++k) {
-      const Vec3 gap = higher.points[k] - triangle.points[k];
-      sum += dot(gap, gap);
-    }
-    return sum;
-  };
   const BezierTriangle lower = reduced(triangle, 4).form;
 
   for (const auto& [nu, mu] : {std::pair{1, 1}, {1, 2}, {2, 1}})
     for (double step : {-1e-3, 1e-3}) {
       BezierTriangle neighbour = lower;
       neighbour(nu, mu)[GetParam() % 3] += step;
-      EXPECT_GT(sum_of_squares(neighbour), sum_of_squares(lower));
+      EXPECT_GT(squared_distance(neighbour, triangle), squared_distance(lower, triangle));
     }
 }
 
