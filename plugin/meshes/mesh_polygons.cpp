@@ -17,9 +17,9 @@ void refuse_large(std::uint64_t size, std::int64_t vertices, std::uint64_t verte
       static_cast<std::uint64_t>(faces) > size / face_bytes)
     throw BadContent("its header promises " + counts + ", more than its " + std::to_string(size) +
                      " bytes can hold: it is cut off or damaged");
-  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
-  if (vertices > kMost || faces > kMost)
-    throw BadContent("has more than " + std::to_string(kMost) + " vertices or faces");
+  constexpr std::int64_t kMaxCount = std::numeric_limits<int>::max();
+  if (vertices > kMaxCount || faces > kMaxCount)
+    throw BadContent("has more than " + std::to_string(kMaxCount) + " vertices or faces");
 }
 
 void Polygons::add(std::span<const std::int64_t> corners) {

@@ -166,7 +166,7 @@ class Selecting {
   }
 
   [[noreturn]] void refuse_name(const std::string& word) const {
-    constexpr std::size_t kMost = 5;  // names in a message
+    constexpr std::size_t kMaxNames = 5;  // names in a message
     std::vector<std::string> parts, all;
     const auto add_to = [](const std::string& name, std::vector<std::string>& list) {
       if (!given_name(name).empty() && std::ranges::find(list, name) == list.end())
@@ -183,8 +183,8 @@ class Selecting {
     std::string text = "there is no part and no face '" + word + "' in it";
     if (!near.empty()) refuse(text + "; did you mean '" + near + "'?");
     if (parts.empty()) refuse(text + "; its parts have no names");
-    const bool more = parts.size() > kMost;
-    parts.resize(std::min(parts.size(), kMost));
+    const bool more = parts.size() > kMaxNames;
+    parts.resize(std::min(parts.size(), kMaxNames));
     refuse(text + "; there " + (parts.size() == 1 ? "is " : "are ") + listed(parts, "and") +
            (more ? "; info --tree lists all" : ""));
   }

@@ -138,8 +138,8 @@ FileRun run_on(const std::string& file, const ManyFiles& files,
   FileRun run{file, kExitStopped, kNotLookedAt, {}};
   std::vector<std::string> words{"blossom", files.command->get_name(), file, "--json", "-"};
   if (const double left = seconds_left(); left > 0) {
-    constexpr double kLeast = 1e-3;  // less is spent before a process begins
-    if (left < kLeast) return run;
+    constexpr double kMinSeconds = 1e-3;  // less is spent before a process begins
+    if (left < kMinSeconds) return run;
     words.insert(words.end(), {"--time-limit", number_text(left)});
   }
   words.insert(words.end(), options.begin(), options.end());

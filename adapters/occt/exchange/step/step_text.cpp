@@ -108,10 +108,10 @@ Utf8Letter utf8_letter(std::string_view text) {
     if ((byte(i) & 0xC0U) != 0x80U) return {};
     code = code << 6U | (byte(i) & 0x3FU);
   }
-  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  constexpr std::uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_half = 0xD800 <= code && code <= 0xDFFF;
-  return code < kLeast[length] || code > 0x10FFFF || is_half ? Utf8Letter{}
-                                                             : Utf8Letter{code, length};
+  return code < kSmallest[length] || code > 0x10FFFF || is_half ? Utf8Letter{}
+                                                                : Utf8Letter{code, length};
 }
 
 /// UTF-16 in hexadecimal, as "\X2\" has it; empty if the letters are no UTF-8.
