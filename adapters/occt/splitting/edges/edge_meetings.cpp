@@ -24,7 +24,8 @@ std::optional<double> kept_to_end(const RangedCurve& edge, double from, double e
   return foot.distance <= within ? std::optional(foot.parameter) : std::nullopt;
 }
 
-// Edges that cross more steeply leave each other within ten tolerances. The sine of the angle.
+// The sine of an angle alpha. Edges that are off by a distance d may cross d / sin(alpha) from
+// where they meet. A choice: where that is less than 10 d, the crossing is taken as found.
 constexpr double kSteep = 0.1;
 
 bool cross_steeply(const RangedCurve& a, double at_a, const RangedCurve& b, double at_b) {
