@@ -125,10 +125,9 @@ def faults(files):
     yield from wrong_arrows(files, "core", CORE_ROOMS)
     yield from wrong_arrows(files, "adapters/occt", OCCT_ROOMS)
     yield from wrong_arrows(files, "plugin/reports", REPORT_ROOMS)
-    for library in ("core", "adapters/occt", "plugin/reports"):
+    for library in ("core", "adapters/occt", "plugin/reports", "plugin/cli"):
         yield from cycles(files, library)
         yield from crowded(files, library)
-    yield from crowded(files, "plugin/cli")
     yield from foreign(files, "core", ".h", ['"core/', STANDARD])
     yield from foreign(files, "core", ".cpp", ['"core/', STANDARD, CORE_LIBRARIES])
     for library in ("occt", "cgal", "openmesh"):

@@ -85,9 +85,9 @@ occt::CheckRunner watched_checks(const std::filesystem::path& file) {
   };
 }
 
-void add_reading(Json& report) {
+void add_reading(reports::Json& report) {
   if (all_reports().empty()) return;
-  Json files = Json::array();
+  reports::Json files = reports::Json::array();
   for (const auto& [file, reading] : all_reports()) {
     files.push_back(reports::reading_json(file, reading));
   }

@@ -9,7 +9,7 @@
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/soundness.h"
 #include "core/base/status.h"
-#include "plugin/cli/output/output.h"
+#include "plugin/reports/text/json.h"
 
 namespace blossom::cli {
 
@@ -36,7 +36,7 @@ occt::CheckRunner watched_checks(const std::filesystem::path& file);
 
 /// Adds the member "reading" to a report, a list of the files that were read, and takes the status
 /// "complete" back if shapes are missing.
-void add_reading(Json& report);
+void add_reading(reports::Json& report);
 
 /// A status as it may be said of an answer: at most Tolerance if shapes are missing.
 Status stated(Status status);

@@ -4,6 +4,7 @@
 #include "adapters/occt/shapes.h"
 #include "plugin/cli/page/glb.h"
 #include "plugin/cli/page/page.h"
+#include "plugin/cli/picture/drawing.h"
 
 namespace blossom::cli {
 

@@ -4,13 +4,13 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
 
 #include "core/math/vec.h"
-#include "plugin/cli/picture/png.h"
 
 namespace blossom::cli {
 
@@ -81,13 +81,5 @@ std::string short_name(const std::string& input);
 
 /// The layers that `curves` and `points` stand for, and `layers`; those without items left out.
 std::vector<PictureLayer> all_layers(const Picture& picture);
-
-/// The picture as an image.
-/// throws   occt::Failure if a face cannot be triangulated; UsageError if the view is none
-Image picture_image(const Picture& picture);
-
-/// The bytes of a PNG file.
-/// throws   likewise
-std::string picture_png(const Picture& picture);
 
 }  // namespace blossom::cli

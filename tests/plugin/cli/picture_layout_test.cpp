@@ -14,6 +14,7 @@
 
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/picture/annotations.h"
+#include "plugin/cli/picture/drawing.h"
 #include "plugin/cli/picture/hatch.h"
 #include "plugin/cli/picture/lettering.h"
 #include "plugin/cli/picture/picture.h"

@@ -20,6 +20,7 @@
 #include <gp_Pnt.hxx>
 
 #include "plugin/cli/picture/canvas.h"
+#include "plugin/cli/picture/drawing.h"
 #include "plugin/cli/picture/mesh.h"
 #include "plugin/cli/picture/png.h"
 #include "tests/plugin/cli/program.h"
