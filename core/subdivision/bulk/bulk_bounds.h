@@ -59,13 +59,15 @@ double pyramid_growth(int degree, const Interval& piece);
 /// corners in the unit square. The sum over all ways to share out the points adds its terms.
 constexpr double bulk_t4_error(int degree_u, int degree_v) {
   const int least = degree_u < degree_v ? degree_u : degree_v;
-  return (4 * (degree_u + degree_v) + (least + 1) * (least + 2) / 2 + 3) * 0x1p-53;
+  const int terms = (least + 1) * (least + 2) / 2;
+  return (4 * (degree_u + degree_v) + terms + 3) * 0x1p-53;
 }
 
 /// Likewise from re-centred coefficients, relative to `sum`.
 constexpr double bulk_t4_monomial_error(int degree_u, int degree_v) {
   const int least = degree_u < degree_v ? degree_u : degree_v;
-  return (3 * (degree_u + degree_v) + (least + 1) * (least + 2) / 2 + 7) * 0x1p-53;
+  const int terms = (least + 1) * (least + 2) / 2;
+  return (3 * (degree_u + degree_v) + terms + 7) * 0x1p-53;
 }
 
 /// Error of a triangle's control point by T1 from re-centred coefficients, relative to `sum`
