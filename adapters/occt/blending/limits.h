@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What several steps of a sheet decide in the same way.
+// What several steps of blends decide in the same way.
 
 #pragma once
 
@@ -9,5 +9,9 @@ namespace blossom::occt {
 /// that end there keeps to its surfaces within one tolerance, and their ends are cut at small
 /// angles.
 inline constexpr double kSamePlace = 10;
+
+/// Faces that a contact, the border of a strip or the end of one may go over one after the other. A
+/// choice: each of them is searched anew, and what has not arrived after so many goes round.
+inline constexpr int kMaxFacesInARow = 16;
 
 }  // namespace blossom::occt

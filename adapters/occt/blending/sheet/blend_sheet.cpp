@@ -22,7 +22,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
-#include "adapters/occt/blending/sheet/limits.h"
+#include "adapters/occt/blending/limits.h"
 
 namespace blossom::occt {
 namespace {

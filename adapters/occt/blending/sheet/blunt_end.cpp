@@ -15,8 +15,8 @@
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
-#include "adapters/occt/blending/sheet/limits.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
 

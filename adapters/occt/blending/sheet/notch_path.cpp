@@ -10,17 +10,19 @@
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
-#include "adapters/occt/blending/sheet/limits.h"
 #include "adapters/occt/blending/strips/notches.h"
 #include "adapters/occt/faces/surface_projector.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr int kMostWalls = 16;       // of a notch that a strip may go over
-constexpr int kRimSamples = 8;       // of a rim, whose feet on the spine bound what is looked at
-constexpr double kNotchRoom = 0.1;   // of that: how far beyond it the strip is looked at
+constexpr int kRimSamples = 8;  // of a rim, whose feet on the spine bound what is looked at
+// Of that: how far beyond it the strip is looked at. A rim that is a whole circle goes at most
+// 1 - cos(pi / 8) of its radius past 8 samples, 0.04 of its length; the rest is for feet that are
+// not exact.
+constexpr double kNotchRoom = 0.1;
 constexpr double kSameShare = 1e-9;  // of the way across a strip
 constexpr int kInsideSamples = 6;    // of a curve on a wall, to see whether it stays there
 
@@ -124,7 +126,7 @@ std::vector<PathEdge> BlendSheet::notch_path(const PlacedStrip& of, std::size_t 
   const bool is_rise = edge_kind(body_, entered, angle) == EdgeKind::Concave;
   const bool grows = is_rise != of.strip.concave;
   TopoDS_Vertex from = leaves;
-  for (int count = 0; count < kMostWalls; ++count) {
+  for (int count = 0; count < kMaxFacesInARow; ++count) {
     const auto way =
         wall_way(of, part, face, entered, from, face == last ? &enters : nullptr, grows);
     if (!way) break;

@@ -20,7 +20,7 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/blending/sheet/limits.h"
+#include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/sheet/wire_nesting.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/splitting/edge_images.h"

@@ -13,14 +13,13 @@
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
-#include "adapters/occt/blending/sheet/limits.h"
 #include "adapters/occt/faces/surface_projector.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr int kMostFaces = 16;   // that a strip may cross at its end
 constexpr double kSameW = 1e-9;  // of the way across the strip
 
 // Whether the surface of a face has a pole in a vertex. What fills a notch there leaves the face
@@ -225,7 +224,7 @@ void BlendSheet::cap(const Ring& ring) {
   TopoDS_Vertex from = left.vertex;
   double w = strip_of(half).strip.contacts[left_side(half)].w;
   for (int count = 0; face != last; ++count) {
-    if (count == kMostFaces) refuse(half, FilletFault::End, "too many faces are at its end");
+    if (count == kMaxFacesInARow) refuse(half, FilletFault::End, "too many faces are at its end");
     face = cross_face(half, part, face, entered, w, from);
   }
   const auto is_smooth = [&](int edge) {

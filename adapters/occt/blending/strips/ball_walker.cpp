@@ -13,19 +13,17 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/limits.h"
 
 namespace blossom::occt {
 namespace {
 
-// In tolerances: what meets at one place may be so far apart.
-constexpr double kSamePlace = 10;
 // Strips longer than asked for grow by so many times their length until they meet what ends them.
 constexpr double kGrowth = 2;
 // Radii past the place where one contact leaves its face, so far the other one is followed to where
-// it leaves its own: borders that go on by the cotangent of this are nearly straight on.
+// it leaves its own. Contacts are at most two radii apart; a border across both that makes an angle
+// alpha with the way lets them leave 2 cot(alpha) radii one after the other. A choice: 14 degrees.
 constexpr double kEndRadii = 8;
-// Strips for each edge of a run before a walk counts as lost.
-constexpr std::size_t kMostStrips = 16;
 
 }  // namespace
 
@@ -338,7 +336,7 @@ BallWalker::Part BallWalker::way(WalkedStrip& from, std::size_t place, int step)
   const std::size_t first = place;
   double t = from.inside;
   std::array<int, 2> entered{};
-  for (std::size_t count = 0; count < kMostStrips * (run_.edges.size() + 1); ++count) {
+  for (std::size_t count = 0; count < kMaxFacesInARow * (run_.edges.size() + 1); ++count) {
     const WalkExit found = exit(*of, place, step, t, entered);
     if (found.ends) {
       if (of->of_edge) cut_ = joint_at(found.sharp_edge, place, step);

@@ -40,7 +40,10 @@ constexpr int kFootSamples = 5;   // a side, of the strip's part whose feet boun
 constexpr double kRunEnd = 1e-9;  // of a run: meetings so near to its ends are those
 // Of a span, or of the way across a strip: how far surfaces go on past their borders.
 constexpr double kBeyondBorder = 0.125;
-constexpr double kBeyondEndless = 0.5;  // of a face's length, of planes and cylinders
+// Of a face's length, of planes and cylinders, which nothing limits. A choice: a strip's end goes
+// past a border by about its radius, and a ball that rolls on a face is about as wide as it at
+// most.
+constexpr double kBeyondEndless = 0.5;
 // Of the way across a strip: where the curve is known to end at contacts, so that no curve on it
 // closes beyond them.
 constexpr double kBeyondContact = 1e-3;

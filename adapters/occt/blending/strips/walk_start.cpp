@@ -10,15 +10,10 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/strips/ball_walker.h"
 
 namespace blossom::occt {
-namespace {
-
-constexpr int kMostBehind = 16;  // faces that a contact may have gone over
-
-}  // namespace
-
 // Whether the ball touches both faces where they are, beside the middle of the strip's edge.
 bool BallWalker::goes_beside(const WalkedStrip& of) const {
   return std::ranges::all_of(of.strip.contacts, [&](const RolledContact& contact) {
@@ -74,7 +69,7 @@ std::optional<WalkedStrip> BallWalker::start_behind(std::size_t place) {
         body_.use(run_.edges[place].edge, (side == 0) == run_.edges[place].forward);
     from[side] = point_at(use.coedge->curve, at(range, 0.5));
   }
-  for (int count = 0; count < kMostBehind; ++count) {
+  for (int count = 0; count < kMaxFacesInARow; ++count) {
     WalkExit over{of.inside};
     for (const std::size_t side : {0U, 1U}) {
       const RolledContact& contact = of.strip.contacts[contact_at(of, side)];
