@@ -16,9 +16,9 @@ bool lies_on_other(SolidSide side) {
   return side == SolidSide::Same || side == SolidSide::Opposite;
 }
 
-// The side of a piece is unknown where the tool is a sheet, which has no inside.
-bool is_left(SolidSide side, SolidOperation operation) {
-  const bool within = side == SolidSide::Inside || lies_on_other(side);
+// A sheet has no inside: what its pieces' cuts say of their sides holds beside these alone.
+bool is_left(SolidSide side, const TrimTool& tool, SolidOperation operation) {
+  const bool within = (tool.is_solid() && side == SolidSide::Inside) || lies_on_other(side);
   if (operation == SolidOperation::Cut) return !within;
   return operation != SolidOperation::Common || within;
 }
@@ -41,7 +41,7 @@ bool areas_add_up(const std::vector<SolidPiece>& pieces, const std::vector<TopoD
 void take_sheet_pieces(const SolidPieces& pieces, const TrimTool& part, const TrimTool& tool,
                        SolidOperation operation, SolidTrimResult& result) {
   for (const SolidPiece& piece : pieces.a)
-    if (is_left(piece.side, operation)) result.faces.push_back({piece.face, -1, piece.from});
+    if (is_left(piece.side, tool, operation)) result.faces.push_back({piece.face, -1, piece.from});
   const bool fuse = operation == SolidOperation::Fuse;
   if (fuse)
     for (const SolidPiece& piece : pieces.b)

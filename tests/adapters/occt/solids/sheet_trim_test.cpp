@@ -140,6 +140,12 @@ TEST(SheetTrim, SheetsThatCrossAreFusedAlongTheirCommonEdge) {
   EXPECT_EQ(edges.Extent(), 4 * 3 + 1);
 }
 
+TEST(SheetTrim, SheetsThatCrossHaveNoAreaInCommon) {
+  const TopoDS_Shape floor = plate({0, 0, 0}, {0, 0, 1}, 1), wall = plate({0, 0, 0}, {1, 0, 0}, 2);
+  EXPECT_TRUE(made_of(floor, {wall}, SolidOperation::Common).sheets.empty());
+  expect_areas(made_of(floor, {wall}, SolidOperation::Cut), {4});
+}
+
 TEST(SheetTrim, SheetsInOnePlaneHaveARegionInCommon) {
   const TopoDS_Shape left = plate({0, 0, 0}, {0, 0, 1}, 2), right = plate({2, 0, 0}, {0, 0, 1}, 1);
   expect_areas(made_of(left, {right}, SolidOperation::Common), {2});
