@@ -164,7 +164,8 @@ SolidTrimResult combined_at(const PairJob& job, Attempt attempt,
       put_together(pieces, part, tool, operation, cones, limit, result);
     else
       divide_by_sheet(pieces, part, cones, limit, result);
-    if (result.obstacles.empty() && !are_valid(result.solids, valid, limit))
+    if (result.obstacles.empty() && !are_valid(result.solids, valid, limit) &&
+        !(cover_tangent_corners(result.solids, valid) && are_valid(result.solids, valid, limit)))
       result.obstacles.emplace_back(kInvalidSolid);
     if (!part.is_solid() && result.obstacles.empty() && !are_valid(result.faces, valid))
       result.obstacles.emplace_back(kInvalidFace);

@@ -25,6 +25,15 @@ bool is_valid(const TopoDS_Solid& solid, const TopTools_MapOfShape& known);
 bool are_valid(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShape& known,
                const WorkLimit& limit);
 
+/// Lets vertices cover the places beside them in which edges that leave them in one direction cross
+/// in the parameters of a face, as BRepCheck sees them, by rounding alone: what touches with a
+/// radius r keeps within t for sqrt(8 r t).
+///
+/// known     as of are_valid
+/// returns   whether a vertex is wider now
+bool cover_tangent_corners(const std::vector<TopoDS_Solid>& solids,
+                           const TopTools_MapOfShape& known);
+
 /// Of faces that bound no solid, all but the known ones.
 bool are_valid(const std::vector<SolidFace>& faces, const TopTools_MapOfShape& known);
 

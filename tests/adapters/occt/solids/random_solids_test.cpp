@@ -84,9 +84,7 @@ bool is_touch(const Problem& problem) {
 }
 
 // What is left of a solid may meet itself in an edge, which Open CASCADE uses four times as well.
-bool is_met_again(const Problem& problem) {
-  return problem.what == "is used 4 times in one shell";
-}
+bool is_met_again(const Problem& problem) { return problem.what == "is used 4 times in one shell"; }
 
 std::string unsound(const TopoDS_Shape& shape) {
   if (!BRepCheck_Analyzer(shape).IsValid()) return "not valid by BRepCheck";
@@ -242,6 +240,14 @@ Verdict trial(int seed) {
               << verdict.refused << std::endl;
   }
   return verdict;
+}
+
+// A wall meets a rim in its seam's corner, in one direction with it: beside it rounding decides
+// which of the two is above the other.
+TEST(RandomSolids, AWallMayTouchARimInItsCornerFarFromTheOrigin) {
+  const Verdict verdict = trial(4668);
+  EXPECT_EQ(verdict.wrong, "");
+  EXPECT_EQ(verdict.refused, "");
 }
 
 TEST(RandomSolids, AreCombinedAsClosedFormsAndOpenCascadeSay) {
