@@ -333,6 +333,8 @@ void CommonEdges::touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of who
   if (limit_.is_reached()) return;
   const std::size_t known = touches_.size();
   const RangedCurve curve = curve_of(edge);
+  // What lies in the surface touches it everywhere, and is known without a search.
+  if (lies_throughout(curve, SurfaceProjector(face, options_.tolerances.point), reach_)) return;
   IntersectionOptions left = limit_.remaining();
   left.threads = options_.threads;
   const std::vector<CurveSurfacePoint> points = intersect(edge, face, left).points;

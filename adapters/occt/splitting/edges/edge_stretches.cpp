@@ -64,6 +64,12 @@ bool keeps_on(const RangedCurve& of, const Interval& stretch, const SurfaceProje
   });
 }
 
+bool lies_throughout(const RangedCurve& of, const SurfaceProjector& feet, double reach) {
+  return std::ranges::all_of(std::array{0.07, 0.21, 0.39, 0.58, 0.74, 0.93}, [&](double part) {
+    return std::abs(feet.height(vec(of.curve->Value(at(of.range, part))))) <= reach;
+  });
+}
+
 Interval widened_by(const RangedCurve& of, const Interval& stretch, double length) {
   gp_Pnt point;
   gp_Vec rate;

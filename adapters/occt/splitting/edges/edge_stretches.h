@@ -43,6 +43,10 @@ bool passes(const RangedCurve& of, const Interval& stretch, const SurfaceProject
 bool keeps_on(const RangedCurve& of, const Interval& stretch, const SurfaceProjector& feet,
               double reach);
 
+/// Whether a curve lies in a surface from end to end, by points at uneven distances, so that one
+/// that only crosses it again and again does not seem to.
+bool lies_throughout(const RangedCurve& of, const SurfaceProjector& feet, double reach);
+
 /// A stretch that goes on by a length at both ends; model units.
 Interval widened_by(const RangedCurve& of, const Interval& stretch, double length);
 
