@@ -34,7 +34,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kGrace = 0.8;                  // seconds between asking to end and killing
+constexpr double kGrace = 0.8;                  // seconds between the time limit and killing
+constexpr double kGraceAsked = 0.5;             // likewise, when the user wants the end
 constexpr double kWritingShare = 0.1;           // of the limit, for writing after it
 constexpr timespec kTick{0, 20 * 1000 * 1000};  // between two looks at the work
 
@@ -154,6 +155,7 @@ class Watch {
     }
     end_stages(told(status));
     if (WIFEXITED(status)) return WEXITSTATUS(status);
+    if (asked_) return ended_late(Reason::Asked);  // it does not begin again, whatever ended it
     const bool wanted = killed_for_ && *killed_for_ != Reason::ProcessorLimit;
     if (board->phase == Phase::Optional && !wanted && failed_steps.insert(doing()).second)
       return std::nullopt;
@@ -175,7 +177,7 @@ class Watch {
   }
 
   std::optional<Reason> overdue() const {
-    if (asked_ && now() > *asked_ + kGrace) return Reason::Asked;
+    if (asked_ && now() > *asked_ + kGraceAsked) return Reason::Asked;
     const Phase phase = board->phase;
     const bool bounded = phase == Phase::Reading || phase == Phase::Optional;
     const double limit = board->time_limit, processor_limit = board->processor_limit;

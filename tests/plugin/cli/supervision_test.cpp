@@ -199,6 +199,19 @@ TEST(Supervision, SignalsReachTheWorkAndThenEndIt) {
   }
 }
 
+TEST(Supervision, WorkThatCrashesWhenItIsToEndDoesNotBeginAgain) {
+  const pid_t parent = getpid();
+  const Ended end = ended([=] {
+    enter(Phase::Optional, "late.step", "reading names of late.step");
+    if (has_failed("reading names of late.step")) return 0;
+    kill(parent, SIGTERM);
+    while (!interrupted()) usleep(1000);
+    return raise(SIGSEGV);
+  });
+  EXPECT_EQ(end.code, 130);
+  EXPECT_EQ(end.said, "blossom: interrupted, nothing was written\n");
+}
+
 #if !defined(__SANITIZE_ADDRESS__)
 TEST(Supervision, AskingForAllMemoryIsAnErrorOfTheWork) {
   const Ended end = ended([] {
