@@ -245,8 +245,8 @@ Interval checked_range(const Interval& range, const Interval& natural, const std
   const auto text = [](const Interval& i) {
     return "[" + std::to_string(i.from) + ", " + std::to_string(i.to) + "]";
   };
-  if (!std::isfinite(range.from) || !std::isfinite(range.to) || std::abs(range.from) > 1e99 ||
-      std::abs(range.to) > 1e99)
+  if (!std::isfinite(range.from) || !std::isfinite(range.to) ||
+      std::abs(range.from) > kFarthestPlace || std::abs(range.to) > kFarthestPlace)
     throw BadModel(what + " is not finite");
   if (!(range.from < range.to)) throw BadModel(what + " is empty: " + text(range));
   const double slack = kRangeRounding * length(range);
@@ -255,6 +255,15 @@ Interval checked_range(const Interval& range, const Interval& natural, const std
   const Interval inside{std::max(range.from, natural.from), std::min(range.to, natural.to)};
   if (!(inside.from < inside.to)) throw BadModel(what + " is empty: " + text(range));
   return inside;
+}
+
+bool is_bounded(const gp_XYZ& point) {
+  return std::abs(point.X()) < kFarthestPlace && std::abs(point.Y()) < kFarthestPlace &&
+         std::abs(point.Z()) < kFarthestPlace;
+}
+
+void check_bounded(const gp_XYZ& point, const std::string& what) {
+  if (!is_bounded(point)) throw BadModel(what + " is not finite");
 }
 
 void check_finite(const gp_XYZ& point, const std::string& what) {

@@ -115,6 +115,16 @@ Interval checked_range(const Interval& range, const Interval& natural, const std
 /// throws   BadModel if a control point or knot is not finite or a weight is not positive
 void check_numbers(const Geom_Curve& curve);
 
+/// Numbers from here on are infinite to Open CASCADE (Precision::Infinite, 2e100), whose
+/// projections crash on places so far away; model units.
+inline constexpr double kFarthestPlace = 1e99;
+
+/// Whether all coordinates are numbers, and not endless.
+bool is_bounded(const gp_XYZ& point);
+
+/// throws   BadModel naming `what` unless the point is bounded
+void check_bounded(const gp_XYZ& point, const std::string& what);
+
 /// throws   BadModel naming `what` unless all coordinates are finite
 void check_finite(const gp_XYZ& point, const std::string& what);
 void check_weight(double weight, const std::string& what);

@@ -189,8 +189,7 @@ void check_poles(const Curve& curve) {
   const bool rational = curve.IsRational();
   for (int i = 1; i <= curve.NbPoles(); ++i) {
     const gp_XYZ pole = curve.Pole(i).XYZ();
-    if (!std::isfinite(pole.X() + pole.Y() + pole.Z()))
-      check_finite(pole, "control point " + std::to_string(i));
+    if (!is_bounded(pole)) check_bounded(pole, "control point " + std::to_string(i));
     if (rational && !(curve.Weight(i) > 0 && std::isfinite(curve.Weight(i))))
       check_weight(curve.Weight(i), "weight " + std::to_string(i));
   }
@@ -211,7 +210,7 @@ void check_numbers(const Geom_Curve& curve) {
     check_finite({offset->Offset(), 0, 0}, "the offset");
     check_numbers(*offset->BasisCurve());
   } else {
-    check_finite(curve.Value(0.5).XYZ(), "a number of the curve");
+    check_bounded(curve.Value(0.5).XYZ(), "a number of the curve");
   }
 }
 

@@ -76,10 +76,9 @@ void check_surface_poles(const Surface& surface) {
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
       const gp_XYZ pole = surface.Pole(i, j).XYZ();
       const double weight = rational ? surface.Weight(i, j) : 1;
-      if (std::isfinite(pole.X() + pole.Y() + pole.Z()) && weight > 0 && std::isfinite(weight))
-        continue;
+      if (is_bounded(pole) && weight > 0 && std::isfinite(weight)) continue;
       const std::string place = " (" + std::to_string(i) + ", " + std::to_string(j) + ")";
-      check_finite(pole, "control point" + place);
+      check_bounded(pole, "control point" + place);
       check_weight(weight, "weight" + place);
     }
 }
@@ -139,7 +138,7 @@ void check_numbers(const Geom_Surface& surface) {
     if (const auto* swept = dynamic_cast<const Geom_SweptSurface*>(&surface))
       check_numbers(*swept->BasisCurve());
     else
-      check_finite(surface.Value(0.5, 0.5).XYZ(), "a number of the surface");
+      check_bounded(surface.Value(0.5, 0.5).XYZ(), "a number of the surface");
     check_radius(surface);
   }
 }

@@ -124,7 +124,7 @@ void check_edge(const TopoDS_Edge& edge, const NumberSource& source) {
 
 void check_vertex(const TopoDS_Vertex& vertex) {
   check_place(vertex);
-  check_finite(BRep_Tool::Pnt(vertex).XYZ(), "its point");
+  check_bounded(BRep_Tool::Pnt(vertex).XYZ(), "its point");
   check_tolerance(BRep_Tool::Tolerance(vertex));
 }
 

@@ -8,6 +8,7 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <Poly_Triangulation.hxx>
@@ -116,6 +117,25 @@ TEST(OddBreps, OfTrianglesAloneAreRefusedAsSuch) {
   BRep_Builder().MakeFace(face, triangles);
   EXPECT_EQ(refusal_of_brep(face),
             "holds no shape that can be used: face (face 1): it has triangles and no surface");
+}
+
+// A projection of Open CASCADE crashes on it.
+TEST(OddBreps, CurvesThatLieEndlesslyFarAwayAreLeftOut) {
+  const Folder folder;
+  BRepTools::Write(BRepPrimAPI_MakeCylinder(3, 5).Shape(), (folder / "far.brep").c_str());
+  std::string text = testing::content(folder / "far.brep");
+  const std::size_t circle = text.find("\n2 0 0 5 ");
+  ASSERT_NE(circle, std::string::npos);
+  text.replace(circle + 3, 1, "1e300");
+  testing::write_content(folder / "far.brep", text);
+  const Model model = read_model(folder / "far.brep");
+  EXPECT_EQ(model.face_count(), 1);
+  for (int number = 1; number <= model.face_count(); ++number)
+    EXPECT_NO_THROW(face_fault(model.face(number)));
+  ASSERT_FALSE(model.reading().losses.empty());
+  EXPECT_NE(model.reading().losses[0].cause.find("a number of the curve is not finite"),
+            std::string::npos)
+      << model.reading().losses[0].cause;
 }
 
 }  // namespace
