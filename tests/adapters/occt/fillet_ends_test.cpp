@@ -20,6 +20,7 @@
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
+#include "tests/adapters/occt/fillet_checks.h"
 
 namespace blossom::occt {
 namespace {
@@ -180,6 +181,28 @@ TEST(FilletOfAShell, SaysThatItsEdgesAreOfNoSolid) {
   ASSERT_EQ(made.refused.size(), 1U);
   EXPECT_NE(made.refused.front().text().find("it belongs to no solid"), std::string::npos)
       << made.refused.front().text();
+}
+
+// Blocks on blocks whose sides are in one plane, but not one face, as a union leaves them.
+TEST(FilletEnds, InTwoPiecesOfOnePlaneGrowsOneOfThem) {
+  for (const double radius : {1.0, 2.0, 3.0})
+    for (const double from : {-5.0, 0.0}) {
+      const TopoDS_Shape shape =
+          BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(gp_Pnt(-10, 0, -5), gp_Pnt(20, 10, 0)).Shape(),
+                           BRepPrimAPI_MakeBox(gp_Pnt(-10, 0, from), gp_Pnt(0, 10, 2)).Shape())
+              .Shape();
+      const std::vector<int> edges =
+          edges_where(shape, EdgeKind::Concave, [](const Vec3&) { return true; });
+      ASSERT_EQ(edges.size(), 1U);
+      const FilletResult made = fillet(shape, edges, {.radius = radius});
+      testing::expect_sound(made);
+      const double c = std::sqrt(4 * radius - 4);  // a ball of 3 leans on the edge above
+      const double area =
+          radius > 2 ? radius * c - (c * (radius - 2) + radius * radius * std::asin(c / radius)) / 2
+                     : radius * radius * (1 - std::numbers::pi / 4);
+      EXPECT_NEAR(made.solids.front().volume - made.volume_before, 10 * area, 1e-9) << radius;
+      EXPECT_EQ(made.notes.size(), radius > 2 ? 1U : 0U);
+    }
 }
 
 // What strips of radius r add round the foot of three upright sides and a slope of 15 over 20, and

@@ -124,6 +124,7 @@ class BlendSheet {
   Cut end_cut(const HalfEdge& half, std::size_t side, int& beyond, int& edge);
   bool turns_back(const Ring& ring, bool on_left);
   Cut grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge);
+  bool takes_over(const Ring& ring, int taking, int giving, int edge, const TopoDS_Vertex& cut);
   int cross_face(const HalfEdge& half, const Interval& part, int face, int& entered, double& w,
                  TopoDS_Vertex& from);
   bool keeps_after(const HalfEdge& half, int face, int edge, const EdgeThrough& through);

@@ -11,11 +11,15 @@
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
+#include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/faces/surface_projector.h"
+#include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {
@@ -207,6 +211,52 @@ int BlendSheet::cross_face(const HalfEdge& half, const Interval& part, int face,
   return body_.use(over->edge, !over->forward).face;
 }
 
+// Behind a strip of a concave edge faces grow at convex edges. Where the border of one, up to where
+// the strip comes to it, lies on the surface of another, as of two pieces of one plane, the other
+// takes all that is added, and that border becomes their common edge. False, and nothing is done,
+// if it does not.
+bool BlendSheet::takes_over(const Ring& ring, int taking, int giving, int edge,
+                            const TopoDS_Vertex& cut) {
+  const HalfEdge half = ring.front().half;
+  const TopoDS_Vertex corner = body_.vertex(half);
+  const auto beside =
+      std::ranges::find_if(ring, [&](const VertexSector& each) { return each.half.edge == edge; });
+  double angle = 0;
+  if (!strip_of(half).strip.concave || beside == ring.end() || cut.IsSame(corner) ||
+      edge_kind(body_, edge, angle) != EdgeKind::Convex)
+    return false;
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(body_.edge(edge), range.from, range.to);
+  const bool at_start = beside->half.at_start;
+  const double place = nearest_on(curve, range, point_of(cut));
+  const Interval piece = at_start ? Interval{range.from, place} : Interval{place, range.to};
+  const double reach =
+      kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(cut), BRep_Tool::Tolerance(corner)});
+  Handle(Geom2d_Curve) on_taking;
+  try {
+    const SurfaceProjector feet(body_.face(taking), Precision::Confusion());
+    on_taking = image_of(curve, piece, feet, std::nullopt, reach).chart;
+  } catch (const LimitFailure&) {
+    throw;
+  } catch (const Failure&) {
+    return false;  // it lies elsewhere
+  }
+  const bool forward = body_.use(edge, true).face == giving;
+  Interval chart_range;
+  const Handle(Geom2d_Curve) on_giving =
+      chart_curve_of(body_.edge(edge), body_.face(giving), chart_range);
+  const TopoDS_Edge border =
+      edge_on(curve, piece, at_start ? corner : cut, at_start ? cut : corner);
+  add_chart(border, on_giving, body_.face(giving));
+  add_chart(border, chart_near_face(on_taking, at(piece, 0.5), body_, taking), body_.face(taking));
+  added_[giving].push_back(
+      TopoDS::Edge(border.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED)));
+  added_[taking].push_back(
+      TopoDS::Edge(border.Oriented(forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
+  border_.vertices.push_back(corner);
+  return true;
+}
+
 // One strip ends among faces that have no other.
 void BlendSheet::cap(const Ring& ring) {
   const HalfEdge half = ring.front().half;
@@ -223,6 +273,12 @@ void BlendSheet::cap(const Ring& ring) {
   const Interval part = part_near(half, end.t);
   TopoDS_Vertex from = left.vertex;
   double w = strip_of(half).strip.contacts[left_side(half)].w;
+  if (face != last && !turns_back(ring, true) && !turns_back(ring, false)) {
+    if (takes_over(ring, face, last, left_at, right.vertex))
+      last = face;
+    else if (takes_over(ring, last, face, entered, left.vertex))
+      face = last;
+  }
   for (int count = 0; face != last; ++count) {
     if (count == kMaxFacesInARow) refuse(half, FilletFault::End, "too many faces are at its end");
     face = cross_face(half, part, face, entered, w, from);
