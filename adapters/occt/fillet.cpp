@@ -45,6 +45,8 @@ void check_request(const BodyEdges& body, const std::vector<int>& edges,
       throw InvalidInput("fillet: edge " + std::to_string(edge) +
                          " has a radius, but is not among the edges");
   }
+  check_length(options.setback.value_or(1), "setback");
+  if (options.setback && options.chamfer) throw InvalidInput("fillet: chamfers have no setback");
   if (options.section.kind == SectionKind::Chamfer)
     throw InvalidInput("fillet: chamfers have an option of their own");
   if (options.section.kind == SectionKind::Conic &&

@@ -85,6 +85,10 @@ struct FilletOptions {
   /// which these go on smoothly: two of one run that differ are refused.
   std::map<int, EdgeRadius> own{};
   FilletSection section{};
+  /// How far from the vertex, along each edge, the strips end where three and more meet, model
+  /// units: a fill of many sides joins them there, also where one ball could. Nothing: as near as
+  /// can be.
+  std::optional<double> setback{};
   /// Chamfers in place of fillets. The first distance is on the face of the smaller number at the
   /// edge of the least number of a run, and on that side all along the run.
   std::optional<ChamferSize> chamfer{};
@@ -139,8 +143,8 @@ struct FilletResult {
 /// edges    numbers as in `edge_facts`
 /// throws   InvalidInput if there is no edge of such a number, none is given, a radius is not
 ///          positive and finite, a law's below 0 somewhere, rho or an angle outside of its range,
-///          or an edge has a radius of its own that is not among the edges or is to be cut off;
-///          BadModel if a face cannot be used
+///          or an edge has a radius of its own that is not among the edges or is to be cut off, or
+///          a setback is not positive or of chamfers; BadModel if a face cannot be used
 FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
                     const FilletOptions& options = {});
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <tuple>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -169,17 +168,18 @@ void add_edge_blends(py::module_& module) {
       "fillet",
       [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,
          const FacePair& between, double radius, const std::string& law, const OwnRadii& own,
-         const std::string& section, bool partial, const Control& control) {
+         const std::string& section, MaybeNumber setback, bool partial, const Control& control) {
         const occt::EdgeRadius common = radius_of(radius, law);
         occt::FilletOptions of{.radius = common.radius,
                                .law = common.law,
                                .section = reports::fillet_section(section),
+                               .setback = setback,
                                .partial = partial};
         for (const auto& [edge, number, along] : own) of.own[edge] = radius_of(number, along);
         return blend_edges(part, {edges, kind, between}, of, control);
       },
-      arg("part"), arg("edges"), arg("kind"), arg("between"), arg("radius"), arg("law"),
-      arg("own"), arg("section"), arg("partial"), arg("control"));
+      arg("part"), arg("edges"), arg("kind"), arg("between"), arg("radius"), arg("law"), arg("own"),
+      arg("section"), arg("setback"), arg("partial"), arg("control"));
   module.def(
       "chamfer",
       [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,

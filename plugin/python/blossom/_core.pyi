@@ -196,6 +196,7 @@ def fillet(
     law: str,
     own: List[Tuple[int, float, str]],
     section: str,
+    setback: Optional[float],
     partial: bool,
     control: Control,
 ) -> Answer: ...

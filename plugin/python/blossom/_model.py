@@ -318,6 +318,7 @@ class Model(_results.MadeShape):
         radius: Optional[Radii] = None,
         law: Optional[Mapping[str, Any]] = None,
         section: str = "circle",
+        setback: Optional[float] = None,
         between: Any = None,
         partial: bool = False,
         **options: Any,
@@ -332,6 +333,7 @@ class Model(_results.MadeShape):
         section   "circle"; "conic:0.4": how far the shoulder is on the way from the chord to where
                   the end tangents meet, between 0 (flat) and 1 (sharp); or "g2", which has the
                   curvatures of both faces
+        setback   how far from a vertex of three and more edges their strips end
         between   two face numbers: the edges that they have in common
         partial   round the edges that can be, instead of all or none; see `refused`
         """
@@ -340,9 +342,10 @@ class Model(_results.MadeShape):
         chosen = _checks.edge_wish("fillet", edges, between)
         size = _checks.fillet_size(radius, law, chosen)
         across = _checks.section(section, "section")
+        back = None if setback is None else _checks.positive(setback, "setback")
         whole = _checks.flag(partial, "partial")
         return Fillet(
-            _core.fillet(self._core, *chosen, *size, across, whole, _checks.control(options))
+            _core.fillet(self._core, *chosen, *size, across, back, whole, _checks.control(options))
         )
 
     def chamfer(

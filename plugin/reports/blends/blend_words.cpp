@@ -51,6 +51,8 @@ std::vector<double> numbers_of(const Json& law, const char* name) {
 
 }  // namespace
 
+double positive_size(const std::string& word) { return positive_number(word, word); }
+
 occt::EdgeRadius edge_radius(const std::string& word) {
   const auto both = parted(word, "..");
   if (!both) return {positive_number(word, word), {}};

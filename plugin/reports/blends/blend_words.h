@@ -11,6 +11,10 @@
 
 namespace blossom::reports {
 
+/// "2".
+/// throws   InvalidInput if it is no positive number
+double positive_size(const std::string& word);
+
 /// "2", or "2..5" from the start to the end of a run of edges.
 /// throws   InvalidInput if it is none of these, or a number is not positive
 occt::EdgeRadius edge_radius(const std::string& word);

@@ -66,6 +66,7 @@ Json size_json(const FilletAnswer& answer) {
           {"law", law_json(of.law)},
           {"radii", own_json(of.own)},
           {"section", section_name(of.section)},
+          {"setback", number_or_null(of.setback)},
           {"rho", conic ? Json(of.section.rho) : Json(nullptr)}};
 }
 

@@ -31,8 +31,10 @@
 
 #include "adapters/occt/blending/continuity.h"
 #include "adapters/occt/edge_facts.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/soundness.h"
+#include "core/base/errors.h"
 #include "tests/adapters/occt/fillet_checks.h"
 
 namespace blossom::occt {
@@ -150,6 +152,33 @@ TEST(FilletCorner, IsMadeAtOnceWithAnEdgeThatComesToItAlongAnother) {
   const FilletResult made = fillet(shape, edges, {.radius = 0.7});
   expect_sound(made);
   EXPECT_EQ(made.edges.size(), 4U);
+}
+
+// The strips are cylinders, each as long as its edge without the setback.
+TEST(FilletCorner, IsSetBackAsFarAsIsAskedFor) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 11., 12.).Shape();
+  const auto edges = edges_where(shape, [](const EdgeFacts& each) {
+    return distance(each.middle, {5, 0, 0}) < 1e-6 || distance(each.middle, {0, 5.5, 0}) < 1e-6 ||
+           distance(each.middle, {0, 0, 6}) < 1e-6;
+  });
+  ASSERT_EQ(edges.size(), 3U);
+  const FilletResult made = fillet(shape, edges, {.radius = 1, .setback = 3});
+  expect_sound(made);
+  expect_smooth(made, 3);  // where the strips end at the other ends of the edges
+  double along = 0;
+  for (const FilletFace& each : made.solids.front().faces)
+    if (each.from == 0 && each.edge > 0) along += area(each.face);
+  EXPECT_NEAR(along, std::numbers::pi / 2 * (7 + 8 + 9), 1e-9);
+  EXPECT_LT(made.solids.front().volume, fillet(shape, edges, {.radius = 1}).solids.front().volume);
+
+  const FilletResult near = fillet(shape, edges, {.radius = 1, .setback = 0.5});
+  ASSERT_EQ(near.refused.size(), 1U);
+  EXPECT_NE(near.refused.front().cause.find("the setback is too small"), std::string::npos);
+  const FilletResult far = fillet(shape, edges, {.radius = 1, .setback = 6});
+  ASSERT_EQ(far.refused.size(), 1U);
+  EXPECT_NE(far.refused.front().cause.find("more than half"), std::string::npos);
+  for (const double wrong : {0.0, -1.0})
+    EXPECT_THROW(fillet(shape, edges, {.setback = wrong}), InvalidInput);
 }
 
 TEST(FilletCorner, OfFourEdgesAtAnApexThatNoBallTouchesIsFilledSmoothly) {

@@ -149,6 +149,7 @@ TEST_F(BlendFillet, RefusesBadUsage) {
       {box, "--edge", ":2"},
       {box, "--edge", "1:2:3"},
       {box, "--edge", "1:2", "--radius", "1", "--law", box},
+      {box, "--edge", "1", "--radius", "1", "--setback", "0"},
       {box, "--edge", "0", "--radius", "1"},
       {box, "--edge", "13", "--radius", "1"},
       {box, "--edge", "-4", "--radius", "1"},
@@ -203,6 +204,15 @@ TEST_F(BlendFillet, GivesEdgesRadiiOfTheirOwn) {
   EXPECT_NE(all.out.find("fillet of edge 1 by 1, of edge 3 by 2, 2 edges rounded"),
             std::string::npos)
       << all.out;
+}
+
+TEST_F(BlendFillet, SetsCornersBack) {
+  const Finished ran = fillet({path("box.step"), "--edges", "all", "--radius", "1", "--setback",
+                               "2.5", "-o", path("out.step"), "--json", "-"});
+
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["setback"], 2.5);
+  EXPECT_TRUE(BRepCheck_Analyzer(occt::read_model(path("out.step")).shape()).IsValid());
 }
 
 TEST_F(BlendFillet, TakesConicsForSections) {

@@ -173,7 +173,7 @@ def wrong_lines_are_told_and_leave_nothing(document):
     for said, call in {
         "ValueError: Operation: one of cut, common, fuse, split is wanted, got 'minus'":
             lambda: make.solid(document, "minus", block, block),
-        "TypeError: there is no choice Radus; there are Radius, LastRadius, Radii, Section, Rho, Partial, "
+        "TypeError: there is no choice Radus; there are Radius, LastRadius, Radii, Setback, Section, Rho, Partial, "
         "Tolerance":
             lambda: make.fillet(document, block, Radus=3),
         "TypeError: A: objects of a document, or pairs of one and its elements, "

@@ -110,6 +110,7 @@ class Fillets(unittest.TestCase):
 
     def test_errors_are_words(self):
         for error, message, arguments in (
+            (ValueError, "^setback: 0.0 is not positive", {"edges": [1], "setback": 0}),
             (ValueError, "^edges: 'sharp' is none of all, convex, concave", {"edges": "sharp"}),
             (TypeError, "^edges: a list of edge numbers is wanted, got int", {"edges": 3}),
             (ValueError, "^edges: 0 is less than 1", {"edges": [0]}),

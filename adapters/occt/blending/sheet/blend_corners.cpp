@@ -331,7 +331,7 @@ bool BlendSheet::ball_corner(const Ring& ring) {
 
 // Several strips meet in a vertex.
 void BlendSheet::corner(const Ring& ring) {
-  if (!(is_chamfer_ ? crossed_corner(ring) : ball_corner(ring))) set_back(ring);
+  if (setback_ || !(is_chamfer_ ? crossed_corner(ring) : ball_corner(ring))) set_back(ring);
 }
 
 }  // namespace blossom::occt

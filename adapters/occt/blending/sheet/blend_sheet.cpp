@@ -107,8 +107,13 @@ Handle(Geom2d_Curve)
 
 }  // namespace
 
-BlendSheet::BlendSheet(const BodyEdges& body, double tolerance, bool is_chamfer)
-    : body_(body), tolerance_(tolerance), is_chamfer_(is_chamfer), splits_(tolerance) {}
+BlendSheet::BlendSheet(const BodyEdges& body, double tolerance, bool is_chamfer,
+                       const std::optional<double>& setback)
+    : body_(body),
+      tolerance_(tolerance),
+      is_chamfer_(is_chamfer),
+      setback_(setback),
+      splits_(tolerance) {}
 
 void BlendSheet::add(const BallWalk& walk) {
   const std::size_t first = strips_.size(), count = walk.strips.size();

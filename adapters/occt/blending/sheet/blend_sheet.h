@@ -72,7 +72,9 @@ class BlendSheet {
   /// body         kept by reference
   /// tolerance    model units
   /// is_chamfer   corners of several strips are planes, else balls
-  BlendSheet(const BodyEdges& body, double tolerance, bool is_chamfer);
+  /// setback      as in `FilletOptions`
+  BlendSheet(const BodyEdges& body, double tolerance, bool is_chamfer,
+             const std::optional<double>& setback);
 
   /// All strips, before the ends are made.
   void add(const BallWalk& walk);
@@ -167,6 +169,7 @@ class BlendSheet {
     Handle(Geom2d_BezierCurve) chart{};  // of a path, or a slanting line
   };
   double setback_t(const Ring& ring, std::size_t sector);
+  double wanted_setback_t(const HalfEdge& half, double stop, double width);
   std::optional<double> stop_beside(const Ring& ring, std::size_t sector, bool on_left);
   double setback_cut(const Ring& ring, std::size_t sector);
   SetbackSide section_side_of(const HalfEdge& half);
@@ -220,6 +223,7 @@ class BlendSheet {
   const BodyEdges& body_;
   double tolerance_;
   bool is_chamfer_;
+  std::optional<double> setback_;
   EdgeSplits splits_;
   std::vector<PlacedStrip> strips_;
   std::vector<Joint> joints_;

@@ -35,7 +35,7 @@ class Order {
 // Of three edges that have balls, the one with a larger ball than the two others, whose balls are
 // alike; 0 for none.
 int with_larger_ball(const std::vector<int>& edges, const FilletOptions& options) {
-  if (edges.size() != 3 || options.own.empty()) return 0;
+  if (edges.size() != 3 || options.own.empty() || options.setback) return 0;
   std::array<double, 3> radii{};
   for (std::size_t i = 0; i < 3; ++i) {
     const EdgeRadius of = options.radius_of(edges[i]);

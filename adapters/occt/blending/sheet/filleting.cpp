@@ -185,7 +185,7 @@ Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   const double tolerance = options_.intersection.tolerances.point;
   WalkOptions walking{options_, tolerance, {}, tick};
   for (const auto& [edge, concave] : edges) walking.filleted.insert(edge);
-  BlendSheet sheet(body_, tolerance, options_.chamfer.has_value());
+  BlendSheet sheet(body_, tolerance, options_.chamfer.has_value(), options_.setback);
   for (const EdgeRun& run : edge_runs(body_, edges))
     for (const BallWalk& walk : ball_walks(body_, run, walking)) {
       sheet.add(walk);

@@ -43,6 +43,8 @@ constexpr double kSetback = 0.5;
 // Of the way to the middle of a strip: what a corner may take of it, so that those at both ends
 // leave something.
 constexpr double kShare = 0.5;
+// Of a strip's width: what a setback that was asked for has to leave for the curves in the faces.
+constexpr double kLeastRoom = 0.05;
 constexpr double kSidePart = 0.1;      // of the tolerance: of sides that are fitted
 constexpr double kCreaseAngle = 1e-6;  // radians: between faces that a fill can be tangent to both
 constexpr int kFollowedAcross = 32;    // points of half a section that are followed along a patch
@@ -105,6 +107,25 @@ std::optional<double> BlendSheet::stop_beside(const Ring& ring, std::size_t sect
   return meeting ? std::optional(meeting->t) : std::nullopt;
 }
 
+// The section at the distance from the vertex that was asked for.
+//
+// stop    t at which the contacts meet what is beside them
+double BlendSheet::wanted_setback_t(const HalfEdge& half, double stop, double width) {
+  const PlacedStrip& of = strip_of(half);
+  const double inwards = is_low_end(half) ? 1 : -1;
+  const double whole = GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body_.edge(half.edge)));
+  const double speed = whole / length(of.strip.edge_range);
+  const double t = end_t(half) + inwards * *setback_ / speed;
+  const double least = inwards * (stop - end_t(half)) * speed + kLeastRoom * width;
+  if (*setback_ < least)
+    refuse(half, FilletFault::Corner,
+           "the setback is too small for the strips that meet there, it has to be " +
+               std::to_string(least) + " at least");
+  if (inwards * (of.inside - t) <= 0)
+    refuse(half, FilletFault::EdgeConsumed, "the setback is more than half of the edge");
+  return t;
+}
+
 // The section in which a strip ends before the corner.
 double BlendSheet::setback_t(const Ring& ring, std::size_t sector) {
   const HalfEdge half = ring[sector].half;
@@ -116,6 +137,8 @@ double BlendSheet::setback_t(const Ring& ring, std::size_t sector) {
     if (const auto met = stop_beside(ring, sector, on_left))
       if (!stop || inwards * (*met - *stop) > 0) stop = met;
   const double t = stop.value_or(end_t(half));
+  if (setback_)
+    return wanted_setback_t(half, t, distance(contact_at(strip, 0, t), contact_at(strip, 1, t)));
   const double room = kShare * inwards * (of.inside - t);
   if (room <= 0)
     refuse(half, FilletFault::EdgeConsumed,

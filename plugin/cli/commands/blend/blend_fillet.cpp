@@ -48,6 +48,7 @@ struct FilletCommand {
   std::string size;              ///< --radius or --distance
   std::string section;           ///< --section
   std::string law;               ///< --law
+  std::string setback;           ///< --setback
   occt::FilletOptions fillet{};  ///< both of them, read
   bool partial = false;
 
@@ -312,8 +313,15 @@ void add_blend_fillet(CLI::App& blend, int& exit_code) {
           "circle; conic:RHO with RHO between 0 (flat) and 1 (sharp); or g2, which has the "
           "curvatures of both faces; circle when not given")
       ->type_name("KIND");
+  command
+      ->add_option("--setback", options->setback,
+                   "how far from a vertex of three and more edges their strips end, mm")
+      ->type_name("D");
   command->callback([options, &exit_code] {
     read_radii(*options);
+    if (!options->setback.empty())
+      read_size("--setback",
+                [&] { options->fillet.setback = reports::positive_size(options->setback); });
     if (!options->section.empty())
       read_size("--section",
                 [&] { options->fillet.section = reports::fillet_section(options->section); });

@@ -22,6 +22,8 @@ class Fillet(EdgeBlend):
         Choice("Radii", "lines", [], "Radii of edges",
                "Of edges that have their own: Edge3: 2 mm, or Edge3: 2 mm..4 mm where it changes",
                "Edge3: 2 mm; Edge5: 2 mm..4 mm"),
+        Choice("Setback", "length", "0 mm", "Setback",
+               "How far from a vertex of three and more edges their strips end; 0: as near as can be"),
         Choice("Section", "word", "circle", "Section",
                "Circles, conics, or curves that have the curvatures of both faces (g2)", SECTIONS),
         Choice("Rho", "number", 0.5, "Sharpness",
@@ -41,6 +43,7 @@ class Fillet(EdgeBlend):
         own = dict(map(_own_radius, obj.Radii))
         return {
             "radius": {None: common, **own} if own else common,
+            **({"setback": obj.Setback.Value} if obj.Setback.Value > 0 else {}),
             "section": f"conic:{obj.Rho!r}" if obj.Section == "conic" else obj.Section,
         }
 
