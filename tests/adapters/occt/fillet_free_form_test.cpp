@@ -220,6 +220,18 @@ TEST(FilletOfRealFaces, IsFoundWhereItsContactsAreFarFromThoseOfTheTangentPlanes
   expect_sound(fillet(model.shape(), {1}, {.radius = 0.187505, .largest = false}));
 }
 
+// Towards the tip the blade is thinner than the ball, which turns back there along the other edge:
+// once this took the blade's end away.
+TEST(FilletOfRealFaces, IsRefusedWhereTheBallTurnsBack) {
+  if (!std::filesystem::exists(propeller())) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
+  const Model model = testing::repaired_model(propeller());
+  for (const double radius : {6.1, 7.4, 12.3988}) {
+    const FilletResult made = fillet(model.shape(), {74}, {.radius = radius, .largest = false});
+    EXPECT_TRUE(made.solids.empty()) << radius;
+    EXPECT_NE(told(made).find("turns back"), std::string::npos) << told(made);
+  }
+}
+
 // Where determinants along a ball's way were noise, cusps were looked for without an end.
 TEST(FilletOfRealFaces, WithAFarTooLargeRadiusIsRefusedInAShortTime) {
   if (!std::filesystem::exists(propeller())) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";

@@ -24,6 +24,8 @@ constexpr double kGrowth = 2;
 // it leaves its own. Contacts are at most two radii apart; a border across both that makes an angle
 // alpha with the way lets them leave 2 cot(alpha) radii one after the other. A choice: 14 degrees.
 constexpr double kEndRadii = 8;
+// Halvings of the way of a ball that turns back, to a thousandth of it.
+constexpr int kTurnSteps = 10;
 
 }  // namespace
 
@@ -43,6 +45,15 @@ const WalkedStrip& BallWalker::strip_at(std::size_t place) {
   const double middle = at(strip.edge_range, 0.5);
   made_[place] = WalkedStrip{std::move(strip), edge.forward, middle};
   return *made_[place];
+}
+
+// A short edge may have no ball beside its middle where one rolls past it.
+std::optional<WalkedStrip> BallWalker::strip_if_any(std::size_t place) {
+  try {
+    return strip_at(place);
+  } catch (const FilletRefused&) {
+    return std::nullopt;
+  }
 }
 
 std::optional<std::size_t> BallWalker::next_place(std::size_t place, int step) const {
@@ -298,6 +309,47 @@ void BallWalker::check_end(const WalkedStrip& of, std::size_t place, int step, d
          centre);
 }
 
+// How a ball goes on at a place of its way, by the edge of the run that is nearest to it.
+BallWalker::Course BallWalker::course(const WalkedStrip& of, int step, double t) const {
+  gp_Pnt centre;
+  gp_Vec rate;
+  of.strip.spine->D1(t, centre, rate);
+  if (of.forward != (step > 0)) rate.Reverse();
+  Course made;
+  double least = 0;
+  for (std::size_t i = 0; i < run_.edges.size(); ++i) {
+    const bool forward = run_.edges[i].forward == (step > 0);
+    Interval range;
+    const Handle(Geom_Curve) curve =
+        BRep_Tool::Curve(body_.edge(run_.edges[i].edge), range.from, range.to);
+    const double x = nearest_on(curve, range, vec(centre.XYZ()));
+    gp_Pnt foot;
+    gp_Vec along;
+    curve->D1(x, foot, along);
+    const double away = foot.Distance(centre);
+    if (i > 0 && away >= least) continue;
+    least = away;
+    made = {i, (forward ? 1 : -1) * rate.Dot(along), x == (forward ? range.to : range.from)};
+  }
+  return made;
+}
+
+// A ball that finds no room further on, as faces come too near to each other, turns round and rolls
+// back, perhaps along another edge of theirs, until it goes over a border of them.
+void BallWalker::check_course(const WalkedStrip& of, int step, const Interval& way) const {
+  const Course last = course(of, step, way.to);
+  if (last.past_end || last.ahead >= 0) return;
+  Interval turn = way;
+  for (int i = 0; i < kTurnSteps; ++i) {
+    const double middle = at(turn, 0.5);
+    (course(of, step, middle).ahead < 0 ? turn.to : turn.from) = middle;
+  }
+  refuse(FilletFault::NoBall, course(of, step, turn.from).place,
+         "the ball turns back before the end of the edge: further on there is no room for it "
+         "between the faces",
+         vec(of.strip.spine->Value(turn.from).XYZ()));
+}
+
 // The strip that follows and where it begins.
 std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, const WalkExit& exit,
                                                      std::size_t& place, int step) {
@@ -316,10 +368,10 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
     if (came_back_) return {std::move(known), t};
   }
   if (const auto there = place_with(faces, place, step)) {
-    WalkedStrip known = strip_at(*there);
-    if (!known.strip.closed && reaches(known, centre, reach, t)) {
+    auto known = strip_if_any(*there);
+    if (known && !known->strip.closed && reaches(*known, centre, reach, t)) {
       place = *there;
-      return {std::move(known), t};
+      return {*std::move(known), t};
     }
   }
   WalkedStrip made = pair_strip(of, exit, faces, place);
@@ -338,6 +390,8 @@ BallWalker::Part BallWalker::way(WalkedStrip& from, std::size_t place, int step)
   std::array<int, 2> entered{};
   for (std::size_t count = 0; count < kMaxFacesInARow * (run_.edges.size() + 1); ++count) {
     const WalkExit found = exit(*of, place, step, t, entered);
+    if (!is_shared(step) && (found.sharp_edge > 0 || !found.ends))
+      check_course(*of, step, {t, found.t});
     if (found.ends) {
       if (of->of_edge) cut_ = joint_at(found.sharp_edge, place, step);
       if (!cut_) check_end(*of, place, step, found.t);

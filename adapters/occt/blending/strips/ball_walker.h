@@ -52,6 +52,7 @@ class BallWalker {
 
   std::array<int, 2> faces_of(std::size_t place) const;
   const WalkedStrip& strip_at(std::size_t place);
+  std::optional<WalkedStrip> strip_if_any(std::size_t place);
   std::size_t start();
   bool goes_beside(const WalkedStrip& of) const;
   std::optional<ContactCrossing> border_between(int face, const Vec2& from, const Vec2& to,
@@ -82,6 +83,13 @@ class BallWalker {
   BallWalk round(WalkedStrip strip) const;
   std::optional<std::size_t> joint_at(int edge, std::size_t place, int step) const;
   void check_end(const WalkedStrip& of, std::size_t place, int step, double t) const;
+  struct Course {
+    std::size_t place = 0;  // of the nearest edge
+    double ahead = 0;       // negative where it goes back along that
+    bool past_end = false;  // of that edge
+  };
+  Course course(const WalkedStrip& of, int step, double t) const;
+  void check_course(const WalkedStrip& of, int step, const Interval& way) const;
   bool is_shared(int step) const;
   [[noreturn]] void refuse(FilletFault fault, std::size_t place, const std::string& cause,
                            const Vec3& centre) const {

@@ -5,7 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
@@ -21,16 +23,22 @@ bool BallWalker::goes_beside(const WalkedStrip& of) const {
   });
 }
 
-// The first edge beside which there is a ball; where contacts run along borders, any edge.
+// The first edge beside which there is a ball; where contacts run along borders, any edge. Where
+// there is none, the longest edge tells why: short ones may have none where a ball rolls past.
 std::size_t BallWalker::start() {
   std::optional<std::size_t> any;
   std::optional<FilletRefused> refused;
+  double longest = 0;
   for (std::size_t i = 0; i < run_.edges.size(); ++i) try {
       const WalkedStrip& of = strip_at(i);
       if (goes_beside(of)) return i;
       if (!any) any = i;
     } catch (const FilletRefused& why) {
-      if (!refused) refused = why;
+      const double length =
+          GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body_.edge(run_.edges[i].edge)));
+      if (refused && length <= longest) continue;
+      refused = why;
+      longest = length;
     }
   if (!any) throw FilletRefused(*refused);
   return *any;
