@@ -15,7 +15,10 @@
 namespace blossom {
 namespace {
 
-constexpr double kBracket = 1e-3;  // of the radius: then Newton's method starts
+constexpr double kBracket =
+    1e-3;  // of the radius: an end of the bracket is told if no limit is found
+// Of the radius: balls as near to a limit roll, or do not, by more than what their tracks are off.
+constexpr double kBesideLimit = 2e-4;
 constexpr int kNewtonSteps = 20;
 constexpr double kStep = 1e-5;           // of differences, relative to the extents and the radius
 constexpr double kSettled = 1e-13;       // of a step, likewise
@@ -76,6 +79,8 @@ class RadiusSearch {
   std::optional<Vec5> residual(const Candidate& c, const Vec5& y) const;
   std::optional<Vec5> solved(const Candidate& c, Vec5 y) const;
   LargestRadius answer(const Candidate& c, const Vec5& y) const;
+  std::optional<LargestRadius> least_limit(const Trial& near, const Interval& radii,
+                                           double radius) const;
 
   std::array<BallSupport, 2> supports_;
   std::array<Vec2, 2> start_;
@@ -261,6 +266,27 @@ LargestRadius RadiusSearch::answer(const Candidate& c, const Vec5& y) const {
   return result;
 }
 
+// The solution of a condition next to a ball, if it is a radius in a range.
+std::optional<LargestRadius> RadiusSearch::least_limit(const Trial& near, const Interval& radii,
+                                                       double radius) const {
+  std::optional<LargestRadius> best;
+  for (const Candidate& c : near.candidates) {
+    const Vec4 x = charts_of(near.spine.track.at(c.parameter));
+    for (const bool at_end : {false, true}) {
+      Candidate form = c;
+      if (!at_end) form.end.reset();
+      if (at_end && !c.end) continue;
+      const auto y = solved(form, {x[0], x[1], x[2], x[3], radius});
+      if (!y || (*y)[4] < radii.from || (*y)[4] > radii.to) continue;
+      if (!best || (*y)[4] < best->radius) best = answer(form, *y);
+    }
+  }
+  return best;
+}
+
+// Newton's method from the largest ball known to roll comes to the limit, or near to it: it is the
+// limit if balls a little smaller roll and a little larger ones do not. Either is news of the
+// bracket; where there is none it is halved.
 std::optional<LargestRadius> RadiusSearch::search(double least, double most) {
   auto below = trial(least);
   if (!below) return std::nullopt;
@@ -268,39 +294,34 @@ std::optional<LargestRadius> RadiusSearch::search(double least, double most) {
   closed_ = first.closed();
   ends_ = {first.at(first.domain().from).centre, first.at(first.domain().to).centre};
   if (!below->feasible) return std::nullopt;
+  Interval bracket{least, most};
   const auto feasible = [&](double radius) {
     auto next = trial(radius);
-    if (!next || !next->feasible || !has_same_ends(next->spine.track)) return false;
-    below = std::move(next);
-    return true;
+    const bool rolls = next && next->feasible && has_same_ends(next->spine.track);
+    if (rolls) below = std::move(next);
+    (rolls ? bracket.from : bracket.to) = radius;
+    return rolls;
   };
-  double low = least, high = most;
   if (feasible(most)) {
     LargestRadius result;
     result.radius = most;
     return result;
   }
-  while (high - low > kBracket * high) {
-    const double middle = 0.5 * (low + high);
-    (feasible(middle) ? low : high) = middle;
+  while (length(bracket) > kBracket * bracket.to) {
+    const auto limit = least_limit(*below, bracket, bracket.from);
+    const double before = limit ? limit->radius * (1 - kBesideLimit) : 0;
+    const double behind = limit ? limit->radius * (1 + kBesideLimit) : 0;
+    if (limit && before > bracket.from && !feasible(before)) continue;
+    if (limit && (behind >= bracket.to || !feasible(behind))) return limit;
+    if (!limit) feasible(at(bracket, 0.5));
   }
   // The limit is the condition whose solution lies in the bracket.
-  std::optional<LargestRadius> best;
-  for (const Candidate& c : below->candidates) {
-    const Vec4 x = charts_of(below->spine.track.at(c.parameter));
-    for (const bool at_end : {false, true}) {
-      Candidate form = c;
-      if (!at_end) form.end.reset();
-      if (at_end && !c.end) continue;
-      const auto y = solved(form, {x[0], x[1], x[2], x[3], low});
-      if (!y || (*y)[4] < low - (high - low) || (*y)[4] > high + (high - low)) continue;
-      if (!best || (*y)[4] < best->radius) best = answer(form, *y);
-    }
-  }
-  if (best) return best;
+  const double room = length(bracket);
+  if (auto limit = least_limit(*below, {bracket.from - room, bracket.to + room}, bracket.from))
+    return limit;
   LargestRadius result;
   result.limit = RadiusLimit::Other;
-  result.radius = low;
+  result.radius = bracket.from;
   result.centre = below->spine.track.at(below->candidates.front().parameter).centre;
   return result;
 }
