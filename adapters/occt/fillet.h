@@ -49,6 +49,9 @@ struct FilletRefusal {
   std::optional<double> largest{};
   /// Of a chamfer: the largest is a distance, the first if there are two; the same is said of it.
   bool of_chamfer = false;
+  /// Where blends take more of an edge than there is: that part of their size with which they would
+  /// just meet, if what they take grew with it.
+  double fits = 1;
 
   /// "edge 12: ... at (x, y, z)".
   std::string text() const;

@@ -114,6 +114,18 @@ TEST(FilletAtAnInnerCorner, EdgesThatFilletsGoOnInAreToldAmongThoseRounded) {
     EXPECT_TRUE(std::ranges::find(made.edges, edge) != made.edges.end()) << edge;
 }
 
+// At its narrow end the face is as wide as the ball's contact is from the edge: that comes to the
+// vertex there, and the strip ends in the end face, not in the slanted one.
+TEST(FilletOfATaperedPlate, EndsInItsEndFaceThroughTheCorner) {
+  const TopoDS_Shape shape = prism({{0, 0, 0}, {10, 0, 0}, {10, 2, 0}, {0, 1, 0}}, {0, 0, 5});
+  const std::vector<int> edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+    return std::abs(at[1]) < 1e-9 && std::abs(at[2] - 5) < 1e-9;
+  });
+  ASSERT_EQ(edges.size(), 1U);
+  for (const double radius : {0.99, 1.0})
+    expect_change(fillet(shape, edges, {.radius = radius}), -10 * kCut * radius * radius, 1e-7);
+}
+
 // A quarter of a cone, whose upright edge ends in the apex.
 TEST(FilletAtAnApex, StripEndsInTheCone) {
   const TopoDS_Shape shape = BRepPrimAPI_MakeCone(50, 0, 120, std::numbers::pi / 2).Shape();

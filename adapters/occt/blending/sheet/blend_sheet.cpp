@@ -440,13 +440,17 @@ void BlendSheet::finish(PlacedStrip& of) {
     const bool is_point = std::abs(length(range)) * speed <= tolerance_ &&
                           of.ends[0].vertices[side].IsSame(of.ends[1].vertices[side]);
     if (is_point) continue;
-    if (length(range) * speed < tolerance_)
+    if (length(range) * speed < tolerance_) {
+      const double whole = length(strip.edge_range);
       throw FilletRefused({FilletFault::EdgeConsumed,
                            strip.edge,
                            "what is at the two ends of its strip meets: nothing is left between",
                            std::nullopt,
                            contact_point(strip, side, range.from),
-                           {}});
+                           {},
+                           false,
+                           std::min(1.0, whole / (whole - length(range)))});
+    }
     cut_seams(of, side);
     add_contact(of, side, patch);
   }

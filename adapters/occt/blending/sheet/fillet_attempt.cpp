@@ -71,7 +71,7 @@ FilletAttempt fillet_attempt(Filleting& work, const std::vector<FilletEdges>& ch
   FilletEdges all;
   for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
   FilletAttempt made = attempt(work, all, radius);
-  if (!made.why || made.why->fault == FilletFault::Edge) return made;
+  if (!made.why || made.why->fault == FilletFault::Edge || !work.own().empty()) return made;
   const FilletEdges grown = with_bends(work.body(), chains, all);
   if (grown.size() == all.size()) return made;
   FilletAttempt further = attempt(work, grown, radius);
@@ -80,6 +80,27 @@ FilletAttempt fillet_attempt(Filleting& work, const std::vector<FilletEdges>& ch
     if (all.count(edge) == 0) further.gone_on.insert(edge);
   further.notes.push_back(bends_note(all, grown));
   return further;
+}
+
+std::optional<FilletRefusal> roll_attempt(Filleting& work, const std::vector<FilletEdges>& chains,
+                                          double radius) {
+  FilletEdges all;
+  for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
+  try {
+    guarded(kFilleting, [&] {
+      work.roll(all, radius);
+      return 0;
+    });
+    return std::nullopt;
+  } catch (const FilletRefused& refusal) {
+    return refusal.why();
+  } catch (const LimitFailure&) {
+    throw;
+  } catch (const Failure& failure) {
+    return not_put_together(failure);
+  } catch (const BadModel& error) {
+    return not_put_together(error);
+  }
 }
 
 bool is_own_fault(FilletFault fault) {

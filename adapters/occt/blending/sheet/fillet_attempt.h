@@ -26,6 +26,12 @@ struct FilletAttempt {
 FilletAttempt fillet_attempt(Filleting& work, const std::vector<FilletEdges>& chains,
                              double radius);
 
+/// Why balls of a radius do not roll along the edges, or chamfers do not run along them; nothing if
+/// they do, whatever is at their ends.
+/// throws   LimitFailure
+std::optional<FilletRefusal> roll_attempt(Filleting& work, const std::vector<FilletEdges>& chains,
+                                          double radius);
+
 /// Whether a chain has its fault alone, whatever else is rounded.
 bool is_own_fault(FilletFault fault);
 

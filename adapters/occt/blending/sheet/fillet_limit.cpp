@@ -109,7 +109,8 @@ std::optional<FilletLimit> swept_limit(const BodyEdges& body, int edge, bool con
     if (room.least == 0) low = high;
   }
   if (cause == 0) return std::nullopt;
-  return FilletLimit{low, "edge " + std::to_string(cause) + ", which the contact reaches"};
+  return FilletLimit{low, "edge " + std::to_string(cause) + ", which the contact reaches",
+                     true};
 }
 
 }  // namespace
@@ -132,7 +133,7 @@ std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool co
   if (found->limit == RadiusLimit::Border && found->border >= 0)
     cause = "edge " + std::to_string(borders.edges[static_cast<std::size_t>(found->border)]) +
             ", which the contact reaches";
-  return FilletLimit{found->radius, cause};
+  return FilletLimit{found->radius, cause, found->limit == RadiusLimit::Border};
 } catch (const std::exception&) {
   return std::nullopt;  // the refusal stands without it
 }

@@ -13,6 +13,7 @@ namespace blossom::occt {
 struct FilletLimit {
   double radius = 0;  ///< model units
   std::string cause;  ///< what stops larger balls, in words
+  bool reached = false;  ///< whether the ball of that radius itself may still roll
 };
 
 /// Nothing if it is not below `most`, or cannot be told: the strip's ends, and other edges that are

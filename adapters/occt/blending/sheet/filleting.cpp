@@ -179,19 +179,28 @@ FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<Trimmed
   return made;
 }
 
+// Along all runs of a group.
+std::vector<BallWalk> Filleting::walks(const FilletEdges& edges) const {
+  WalkOptions walking{options_, options_.intersection.tolerances.point, {}, [this] {
+                        check_limit(limit_.get(), kFilleting);
+                      }};
+  for (const auto& [edge, concave] : edges) walking.filleted.insert(edge);
+  std::vector<BallWalk> all;
+  for (const EdgeRun& run : edge_runs(body_, edges))
+    for (BallWalk& walk : ball_walks(body_, run, walking)) all.push_back(std::move(walk));
+  return all;
+}
+
 // Edges of one group, into a solid of the shape.
 Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   const auto tick = [this] { check_limit(limit_.get(), kFilleting); };
   const double tolerance = options_.intersection.tolerances.point;
-  WalkOptions walking{options_, tolerance, {}, tick};
-  for (const auto& [edge, concave] : edges) walking.filleted.insert(edge);
   BlendSheet sheet(body_, tolerance, options_.chamfer.has_value(), options_.setback);
-  for (const EdgeRun& run : edge_runs(body_, edges))
-    for (const BallWalk& walk : ball_walks(body_, run, walking)) {
-      sheet.add(walk);
-      for (const WalkedStrip& each : walk.strips)
-        if (const std::string text = held_text(each.strip); !text.empty()) notes_.push_back(text);
-    }
+  for (const BallWalk& walk : walks(edges)) {
+    sheet.add(walk);
+    for (const WalkedStrip& each : walk.strips)
+      if (const std::string text = held_text(each.strip); !text.empty()) notes_.push_back(text);
+  }
   tick();
   sheet.build();
   tick();
@@ -318,6 +327,13 @@ void Filleting::set_size(double size) {
   ChamferSize& chamfer = *options_.chamfer;
   if (chamfer.second) *chamfer.second *= size / chamfer.first;
   chamfer.first = size;
+}
+
+void Filleting::roll(const FilletEdges& edges, double size) {
+  set_size(size);
+  std::map<const SolidPart*, FilletEdges> of;
+  for (const auto& [edge, concave] : edges) of[&part_of(edge)].emplace(edge, concave);
+  for (const auto& [part, own] : of) walks(fillet_order(body_, own, options_).front());
 }
 
 std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges, double size) {

@@ -20,6 +20,7 @@
 #include "adapters/occt/blending/body_edges.h"
 #include "adapters/occt/blending/edge_chain.h"
 #include "adapters/occt/blending/sheet/sheet_trim.h"
+#include "adapters/occt/blending/strips/ball_walk.h"
 #include "adapters/occt/fillet.h"
 #include "core/base/work_limit.h"
 #include "core/math/vec.h"
@@ -68,6 +69,8 @@ class Filleting {
   /// Radii of edges' own, from now on.
   void set_own(std::map<int, EdgeRadius> own) { options_.own = std::move(own); }
   const std::map<int, EdgeRadius>& own() const { return options_.own; }
+  /// The balls alone, of those edges that are rounded first; or a refusal.
+  void roll(const FilletEdges& edges, double size);
   bool is_chamfer() const { return options_.chamfer.has_value(); }
   /// Of what was made last.
   const std::vector<std::string>& notes() const { return notes_; }
@@ -86,6 +89,7 @@ class Filleting {
                      const FilletEdges& edges);
   FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                        const FilletEdges& edges);
+  std::vector<BallWalk> walks(const FilletEdges& edges) const;
   Grouped with_group(const SolidPart& part, const FilletEdges& edges);
   double size() const { return is_chamfer() ? options_.chamfer->first : options_.radius; }
   void set_size(double size);

@@ -32,9 +32,11 @@ class Flood {
   void mark(const SheetBorder& border);
   void drop(const Place& place);
   void spread(const TopoDS_Vertex& vertex);
+  double share_that_fits(int edge);
 
   const BodyEdges& body_;
   EdgeSplits& splits_;
+  const SheetBorder& border_;
   TopTools_IndexedDataMapOfShapeListOfShape edges_at_;
   TopTools_MapOfShape barriers_;
   std::map<int, std::vector<Fate>> fates_;
@@ -42,7 +44,7 @@ class Flood {
 };
 
 Flood::Flood(const BodyEdges& body, EdgeSplits& splits, const SheetBorder& border)
-    : body_(body), splits_(splits) {
+    : body_(body), splits_(splits), border_(border) {
   TopExp::MapShapesAndUniqueAncestors(body.body(), TopAbs_VERTEX, TopAbs_EDGE, edges_at_);
   for (const TopoDS_Vertex& vertex : border.vertices) barriers_.Add(vertex);
   for (const EdgeCut& cut : border.cuts)
@@ -87,6 +89,21 @@ void Flood::drop(const Place& place) {
   fate = Fate::Goes;
 }
 
+// Of what cuts take of an edge, what there is of it, by the edge's parameter.
+double Flood::share_that_fits(int edge) {
+  Interval own;
+  BRep_Tool::Range(body_.edge(edge), own.from, own.to);
+  double taken = 0;
+  for (const EdgeCut& cut : border_.cuts) {
+    if (cut.edge != edge) continue;
+    for (const EdgePiece& piece : splits_.pieces(body_.edge(edge))) {
+      if (cut.keep_after && piece.from == cut.split) taken += piece.range.from - own.from;
+      if (!cut.keep_after && piece.to == cut.split) taken += own.to - piece.range.to;
+    }
+  }
+  return taken > length(own) ? length(own) / taken : 1;
+}
+
 // What ends in a vertex that goes, goes as well.
 void Flood::spread(const TopoDS_Vertex& vertex) {
   if (barriers_.Contains(vertex)) return;
@@ -102,7 +119,9 @@ void Flood::spread(const TopoDS_Vertex& vertex) {
                              "blends at both its ends would take more of it than there is",
                              pieces[i].range.from,
                              point_of(vertex),
-                             {}});
+                             {},
+                             false,
+                             share_that_fits(edge)});
       drop({edge, i});
     }
   };

@@ -14,14 +14,16 @@ namespace {
 // Relative, below a limit: at it edges of planes and cylinders can still be rounded, but elsewhere
 // a contact would run along a border, or a section have no length; the last where what is left
 // between is below the tolerances of the model.
-constexpr double kJustBelow[] = {0, 1e-6, 1e-3};
+constexpr double kJustBelow[] = {0, 2e-8, 1e-6, 1e-3};
 constexpr double kJustAbove = 1e-3;   // relative: what works there was not stopped by the limit
 constexpr int kMostLimits = 4;        // edges whose limits are followed, one after the other
-constexpr double kFall = 8;           // from radius to radius until one works
+constexpr int kMostMeetings = 4;      // steps to where blends meet in an edge
+constexpr double kFall = 2;           // from radius to radius until one works
 constexpr double kLeastShare = 1e-3;  // of the radius asked for: a smaller one is no help
 constexpr double kBracketed = 1.01;   // ratio of the bracket's ends
 // Edges that all trials together round, about ten seconds of work: then the bracket stays as it is.
 constexpr std::size_t kMostEdges = 1000;
+constexpr std::size_t kRollsInWork = 4;  // that cost about as much as one edge that is rounded
 
 class RadiusTrials {
  public:
@@ -35,15 +37,18 @@ class RadiusTrials {
 
  private:
   bool works(double radius);
-  bool may_go_on() const { return tried_ < kMostEdges; }
+  bool rolls(double radius);
+  bool may_go_on() const { return tried_ + rolled_ / kRollsInWork < kMostEdges; }
   std::optional<FilletLimit> limit() const;
   bool follow_limits();
+  bool follow_meetings();
   bool fall();
+  void close_rolling();
   void close_bracket();
 
   Filleting& work_;
   const std::vector<FilletEdges>& chains_;
-  std::size_t edges_ = 0, tried_ = 0;
+  std::size_t edges_ = 0, tried_ = 0, rolled_ = 0;
   double asked_;
   double low_ = 0, high_;  // works, does not
   FilletRefusal why_;      // at the least radius that did not
@@ -59,6 +64,16 @@ bool RadiusTrials::works(double radius) {
   }
   high_ = radius;
   why_ = *std::move(made.why);
+  return false;
+}
+
+// Whether balls roll along the edges: much less work, and all that is wrong with most radii.
+bool RadiusTrials::rolls(double radius) {
+  rolled_ += edges_;
+  auto why = roll_attempt(work_, chains_, radius);
+  if (!why) return true;
+  high_ = radius;
+  why_ = *std::move(why);
   return false;
 }
 
@@ -79,34 +94,67 @@ bool RadiusTrials::follow_limits() {
   for (int i = 0; i < kMostLimits && may_go_on(); ++i) {
     const auto next = limit();
     if (!next || next->radius < kLeastShare * asked_) return false;
-    for (const double below : kJustBelow)
-      if (works((1 - below) * next->radius)) {
+    for (const double below : kJustBelow) {
+      if (below == 0 && !next->reached) continue;
+      const double radius = (1 - below) * next->radius;
+      if (rolls(radius) && works(radius)) {
         stopped_ = next->cause;
         return true;
       }
+    }
+  }
+  return false;
+}
+
+// Whether blends that take too much of an edge together can be made where they just meet: what they
+// take grows with the radius, in planes just so.
+bool RadiusTrials::follow_meetings() {
+  for (int i = 0; i < kMostMeetings && why_.fits < 1 && may_go_on(); ++i) {
+    const double meeting = why_.fits * high_;
+    const int edge = why_.edge;
+    if (works(meeting)) {
+      stopped_ = "another blend, which they meet in edge " + std::to_string(edge);
+      return true;
+    }
   }
   return false;
 }
 
 bool RadiusTrials::fall() {
-  while (high_ > kFall * kLeastShare * asked_ && may_go_on())
-    if (works(high_ / kFall)) return true;
+  while (high_ > kFall * kLeastShare * asked_ && may_go_on()) {
+    const double radius = high_ / kFall;
+    if (rolls(radius) && works(radius)) return true;
+  }
   return false;
 }
 
+// The largest ball that rolls where larger ones do not; then all else has to work with it.
+void RadiusTrials::close_rolling() {
+  if (!is_own_fault(why_.fault)) return;
+  double rolling = low_;
+  while (high_ > kBracketed * rolling && may_go_on()) {
+    const double radius = std::sqrt(rolling * high_);
+    if (rolls(radius)) rolling = radius;
+  }
+  if (rolling > low_) works(rolling);
+}
+
 void RadiusTrials::close_bracket() {
-  while (high_ > kBracketed * low_ && may_go_on()) works(std::sqrt(low_ * high_));
+  while (high_ > kBracketed * low_ && may_go_on()) {
+    const double radius = std::sqrt(low_ * high_);
+    if (rolls(radius)) works(radius);
+  }
 }
 
 std::optional<LargestFillet> RadiusTrials::found() {
-  const bool at_limit = follow_limits();
-  if (at_limit) {
+  if (follow_limits() || follow_meetings()) {
     const double above = low_ * (1 + kJustAbove);
-    if (above >= high_ || !works(above)) return LargestFillet{low_, stopped_};
+    if (above >= high_ || !rolls(above) || !works(above)) return LargestFillet{low_, stopped_};
     stopped_.clear();
   } else if (!fall()) {
     return std::nullopt;
   }
+  close_rolling();
   close_bracket();
   return LargestFillet{low_, stopped_};
 }

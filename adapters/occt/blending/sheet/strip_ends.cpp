@@ -50,13 +50,21 @@ BlendSheet::Cut BlendSheet::end_cut(const HalfEdge& half, std::size_t side, int&
       return notch.has(each.t) && notch.leaves.t > beside.from && notch.enters.t < beside.to;
     });
   };
+  // In a vertex, where it meets two edges at once, the one at the end of the strip.
+  const auto is_at_end = [&](const ContactCrossing& each) {
+    const TopoDS_Vertex vertex = body_.vertex(half);
+    return body_.vertex({each.use->edge, true}).IsSame(vertex) ||
+           body_.vertex({each.use->edge, false}).IsSame(vertex);
+  };
   std::optional<ContactCrossing> best;
   for (const ContactCrossing& each : all) {
     const double far = outwards * (each.t - of.inside);
     const double speed = contact.curve->DN(each.t, 1).Magnitude();
     const double room = kSamePlace * std::max(tolerance_, each.use->coedge->tolerance);
     if (far * speed < room || is_seam_at(body_, each) || is_of_notch(each)) continue;
-    if (!best || far < outwards * (best->t - of.inside)) best = each;
+    const double nearer = best ? outwards * (best->t - each.t) * speed : 0;
+    const bool by_end = best && std::abs(nearer) <= room && is_at_end(each) != is_at_end(*best);
+    if (!best || (by_end ? is_at_end(each) : nearer > 0)) best = each;
   }
   if (!best && !lies_inside(body_, contact, of.inside))
     refuse(

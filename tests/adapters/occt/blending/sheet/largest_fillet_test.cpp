@@ -9,10 +9,18 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Vec.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
@@ -21,6 +29,7 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kClose = 0.011;  // of a radius: as far as a bracket is closed
+constexpr double kExact = 1e-8;   // model units: where the condition is solved that stops the ball
 
 std::vector<int> edges_that_have(const TopoDS_Shape& shape, EdgeKind kind) {
   std::vector<int> found;
@@ -37,13 +46,13 @@ int edge_with_middle(const TopoDS_Shape& shape, const Vec3& point) {
 
 // Refused, and told a radius that works, above which there is none that is asked for here.
 void expect_told(const TopoDS_Shape& shape, const std::vector<int>& edges, double radius,
-                 double largest) {
+                 double largest, double close) {
   const FilletResult made = fillet(shape, edges, {.radius = radius});
   EXPECT_TRUE(made.solids.empty());
   ASSERT_EQ(made.refused.size(), 1U);
   const FilletRefusal& why = made.refused.front();
   ASSERT_TRUE(why.largest) << why.text();
-  EXPECT_NEAR(*why.largest, largest, kClose * largest) << why.text();
+  EXPECT_NEAR(*why.largest, largest, close) << why.text();
   const FilletResult below = fillet(shape, edges, {.radius = *why.largest});
   ASSERT_EQ(below.solids.size(), 1U) << below.refused.front().text();
   EXPECT_TRUE(BRepCheck_Analyzer(below.solids.front().solid).IsValid());
@@ -51,21 +60,21 @@ void expect_told(const TopoDS_Shape& shape, const std::vector<int>& edges, doubl
 
 TEST(LargestFillet, OfAnEdgeOfABoxIsAsWideAsItsFaces) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
-  for (const double radius : {10.01, 13.0, 1000.0}) expect_told(box, {1}, radius, 10);
+  for (const double radius : {10.01, 13.0, 1000.0}) expect_told(box, {1}, radius, 10, kExact);
 }
 
 TEST(LargestFillet, OfTwoEdgesThatShareAFaceIsHalfOfIt) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
   const std::vector<int> edges{edge_with_middle(box, {5, 0, 10}),
                                edge_with_middle(box, {5, 10, 10})};
-  expect_told(box, edges, 6, 5);
+  expect_told(box, edges, 6, 5, kExact);
 }
 
 TEST(LargestFillet, OfAllEdgesOfABoxIsHalfItsLeastSide) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 8, 6).Shape();
   std::vector<int> edges(12);
   std::iota(edges.begin(), edges.end(), 1);
-  expect_told(box, edges, 4, 3);
+  expect_told(box, edges, 4, 3, kExact);
 }
 
 // No ball beside an edge is too large, but two strips run into each other between the rims.
@@ -74,7 +83,33 @@ TEST(LargestFillet, IsFoundWhereOnlyResultsTellIt) {
   const TopoDS_Shape bored =
       BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeCylinder(gp_Ax2({10, 10, -1}, {0, 0, 1}), 8, 12))
           .Shape();
-  expect_told(bored, edges_that_have(bored, EdgeKind::Convex), 1.5, 1);
+  expect_told(bored, edges_that_have(bored, EdgeKind::Convex), 1.5, 1, kClose);
+}
+
+// A wall across the trough z = 2 x^2, whose least radius of curvature is 1/4.
+TEST(LargestFillet, OfATroughIsItsRadiusOfCurvature) {
+  TColgp_Array1OfPnt poles(1, 3);
+  poles(1) = {-1, 0, 2};
+  poles(2) = {0, 0, -2};
+  poles(3) = {1, 0, 2};
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles)));
+  wire.Add(BRepBuilderAPI_MakeEdge(poles(3), {1, 0, -1}));
+  wire.Add(BRepBuilderAPI_MakeEdge({1, 0, -1}, {-1, 0, -1}));
+  wire.Add(BRepBuilderAPI_MakeEdge({-1, 0, -1}, poles(1)));
+  const TopoDS_Shape trough =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire), gp_Vec(0, 2, 0)).Shape();
+  const TopoDS_Shape wall = BRepPrimAPI_MakeBox(gp_Pnt(-1, -0.5, -1), 2, 0.5, 5).Shape();
+  const TopoDS_Shape shape = BRepAlgoAPI_Fuse(trough, wall).Shape();
+  expect_told(shape, {edge_with_middle(shape, {0, 0, 0})}, 0.3, 0.25, kExact);
+}
+
+// The floor of a channel is 1 wide.
+TEST(LargestFillet, OfBothEdgesOfAChannelIsHalfItsFloor) {
+  const TopoDS_Shape shape =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(3, 6, 3).Shape(),
+                      BRepPrimAPI_MakeBox(gp_Pnt(1, -1, 1), 1, 8, 2.5).Shape())
+          .Shape();
+  expect_told(shape, edges_that_have(shape, EdgeKind::Concave), 0.8, 0.5, kExact);
 }
 
 TEST(LargestFillet, IsNotLookedForWhereItIsNotWanted) {
