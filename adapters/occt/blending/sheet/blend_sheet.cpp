@@ -167,8 +167,16 @@ double BlendSheet::end_t(const HalfEdge& half) {
 void BlendSheet::refuse(const HalfEdge& half, FilletFault fault, const std::string& cause) const {
   double first = 0, last = 0;
   BRep_Tool::Range(body_.edge(half.edge), first, last);
-  throw FilletRefused(
-      {fault, half.edge, cause, half.at_start ? first : last, point_of(body_.vertex(half)), {}});
+  const double end = half.at_start ? first : last;
+  const Vec3 a = body_.corner(body_.use(half.edge, true), end).normal;
+  const Vec3 b = body_.corner(body_.use(half.edge, false), end).normal;
+  const bool is_pointed =
+      fault == FilletFault::End && std::atan2(norm(cross(a, b)), dot(a, b)) < kSmoothEdge;
+  const std::string more =
+      is_pointed ? "; the faces beside it meet smoothly there: the strip of any ball narrows to a "
+                   "point, which cannot be built yet"
+                 : "";
+  throw FilletRefused({fault, half.edge, cause + more, end, point_of(body_.vertex(half)), {}});
 }
 
 // The edge that ends a sector, as the sector's face uses it on its way to the vertex.
