@@ -92,10 +92,12 @@ std::optional<FilletLimit> RadiusTrials::limit() const {
 // Whether just below one of the limits all edges can be rounded.
 bool RadiusTrials::follow_limits() {
   for (int i = 0; i < kMostLimits && may_go_on(); ++i) {
+    const int followed = why_.edge;
     const auto next = limit();
     if (!next || next->radius < kLeastShare * asked_) return false;
     for (const double below : kJustBelow) {
       if (below == 0 && !next->reached) continue;
+      if (why_.edge != followed) break;  // the limit of that edge is looked at next
       const double radius = (1 - below) * next->radius;
       if (rolls(radius) && works(radius)) {
         stopped_ = next->cause;
