@@ -56,11 +56,16 @@ struct TotalAreas {
 /// is between pieces that are apart and count as one.
 inline constexpr double kVolumeError = 1e-6;
 
+/// How a piece of a sheet lies to the solids that divided it: inside of one, or else on one, or
+/// outside of all.
+enum class SheetSide { Outside, On, Inside };
+
 /// A face of a result and where it comes from.
 struct SolidFace {
   TopoDS_Face face;
   int tool = -1;  ///< index of the tool; -1 of the part
   int from = 0;   ///< place of the face that it is a piece of among that one's faces
+  SheetSide side = SheetSide::Outside;  ///< of a sheet's piece; else without a meaning
 };
 
 struct SolidTrimResult {

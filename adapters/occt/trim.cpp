@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include <BRepCheck_Analyzer.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/intersection.h"
+#include "adapters/occt/solid_trim.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/face_division.h"
 #include "core/base/errors.h"
@@ -18,6 +21,19 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kReach = 10;  // tolerances: what is so near a tool's face lies on it
+
+struct Judged {
+  PieceSide side = PieceSide::Unknown;
+  bool above = false;  ///< of all tools
+  bool below = false;
+};
+
+// What became of a face of the part.
+struct DividedFace {
+  const PartFace* of = nullptr;
+  std::vector<TopoDS_Face> pieces = {};
+  std::vector<Judged> sides = {};  // one for each piece of a face that is to be cut
+};
 
 // A face of the part on its way through the work.
 struct Job {
@@ -126,12 +142,6 @@ std::vector<Job> jobs_of(const std::vector<PartFace>& part, const std::vector<Tr
   return jobs;
 }
 
-struct Judged {
-  PieceSide side = PieceSide::Unknown;
-  bool above = false;  ///< of all tools
-  bool below = false;
-};
-
 // What the limit leaves undone is not a face that merely stays whole.
 void tell_limit(const std::vector<Job>& jobs, const WorkLimit& limit, TrimResult& result) {
   const bool failed =
@@ -232,33 +242,104 @@ void check_piece(const TrimPiece& piece, TrimResult& result) {
   }
 }
 
-void collect(const std::vector<Job>& jobs, const std::vector<Judged>& sides,
-             const TrimOptions& options, TrimResult& result) {
+std::vector<DividedFace> divided_faces(const std::vector<Job>& jobs,
+                                       const std::vector<Judged>& sides) {
+  std::vector<DividedFace> faces;
   std::size_t next = 0;
   for (const Job& job : jobs) {
-    std::vector<TopoDS_Face> kept;
-    const double whole = job.of->cut ? area(job.of->face) : 0;
+    DividedFace& face = faces.emplace_back(DividedFace{job.of});
     for (const FacePiece& piece : job.division.split().pieces) {
-      if (!job.of->cut) {
-        kept.push_back(piece.face);
+      face.pieces.push_back(piece.face);
+      if (job.of->cut) face.sides.push_back(sides[next++]);
+    }
+  }
+  return faces;
+}
+
+// A piece whose side is not known is missing where sides are asked for.
+void note_undecided(const TrimPiece& piece, const TrimOptions& options, TrimResult& result) {
+  if (piece.side != PieceSide::Unknown || options.keep == Keep::All || options.keep == Keep::Number)
+    return;
+  result.notes.push_back("piece " + std::to_string(piece.number) +
+                         ": side undecided, it is not kept");
+  result.status = weaker(result.status, Status::Tolerance);
+}
+
+void collect(const std::vector<DividedFace>& faces, const TrimOptions& options,
+             TrimResult& result) {
+  for (const auto& [of, pieces, sides] : faces) {
+    std::vector<TopoDS_Face> kept;
+    const double whole = of->cut ? area(of->face) : 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const TopoDS_Face& face = pieces[i];
+      if (!of->cut) {
+        kept.push_back(face);
         continue;
       }
-      const Judged& side = sides[next++];
-      const int number = static_cast<int>(next);
-      result.pieces.push_back({number, job.of->number, side.side, is_kept(side, number, options),
-                               piece.face.IsSame(job.of->face) ? whole : area(piece.face),
-                               piece.face});
-      if (!job.division.cuts().empty()) check_piece(result.pieces.back(), result);
-      if (result.pieces.back().kept) kept.push_back(piece.face);
-      if (side.side == PieceSide::Unknown && options.keep != Keep::All &&
-          options.keep != Keep::Number)
-        result.notes.push_back("piece " + std::to_string(number) +
-                               ": side undecided, it is not kept");
+      const int number = static_cast<int>(result.pieces.size()) + 1;
+      result.pieces.push_back({number, of->number, sides[i].side,
+                               is_kept(sides[i], number, options),
+                               face.IsSame(of->face) ? whole : area(face), face});
+      if (!face.IsSame(of->face)) check_piece(result.pieces.back(), result);
+      if (result.pieces.back().kept) kept.push_back(face);
+      note_undecided(result.pieces.back(), options, result);
     }
-    if (job.of->cut) result.areas[job.of->number] = whole;
-    if (kept.size() != 1 || !kept.front().IsSame(job.of->face))
-      result.replacements[job.of->number] = std::move(kept);
+    if (of->cut) result.areas[of->number] = whole;
+    if (kept.size() != 1 || !kept.front().IsSame(of->face))
+      result.replacements[of->number] = std::move(kept);
   }
+}
+
+bool asks_for_solids(const std::vector<PartFace>& part, const std::vector<TrimTool>& tools,
+                     const TrimOptions& options) {
+  return options.keep != Keep::Above && options.keep != Keep::Below && !tools.empty() &&
+         std::ranges::all_of(tools, &TrimTool::is_solid) &&
+         std::ranges::all_of(part, &PartFace::cut);
+}
+
+// Whole parts and solids are divided as bodies are: the sides of pieces are proven by rays, and the
+// areas add up. Nothing if they cannot be divided so; then each face is cut by itself.
+std::optional<std::vector<DividedFace>> divided_by_solids(const std::vector<PartFace>& part,
+                                                          const std::vector<TrimTool>& tools,
+                                                          const TrimOptions& options,
+                                                          TrimResult& result) {
+  TrimTool sheet;
+  for (const PartFace& face : part) sheet.faces.push_back(face.face);
+  const SolidTrimResult made =
+      trim_solids(sheet, tools, SolidOperation::Split, options.intersection);
+  if (!made.obstacles.empty()) {
+    result.notes.push_back("not divided as bodies: " + made.obstacles.front() +
+                           "; each face is cut by itself");
+    result.status = Status::Tolerance;
+    return {};
+  }
+  result.status = made.status;
+  result.certificate = made.certificate;
+  result.notes.insert(result.notes.end(), made.thin.begin(), made.thin.end());
+  result.notes.insert(result.notes.end(), made.tolerances.begin(), made.tolerances.end());
+  std::vector<DividedFace> faces;
+  for (const PartFace& face : part) faces.push_back({&face});
+  for (const SolidFace& piece : made.faces) {
+    DividedFace& face = faces[static_cast<std::size_t>(piece.from)];
+    face.pieces.push_back(piece.face);
+    face.sides.push_back({piece.side == SheetSide::Inside ? PieceSide::Inside
+                          : piece.side == SheetSide::On   ? PieceSide::On
+                                                          : PieceSide::Outside});
+  }
+  return faces;
+}
+
+std::vector<DividedFace> divided_one_by_one(const std::vector<PartFace>& part,
+                                            const std::vector<TrimTool>& tools,
+                                            const TrimOptions& options, TrimResult& result) {
+  const WorkLimit limit(options.intersection);
+  std::vector<Job> jobs = jobs_of(part, tools, options, result);
+  split_all(jobs, options, limit, result);
+  tell_limit(jobs, limit, result);
+  const std::vector<Judged> sides =
+      judged(jobs, tools, options.intersection.tolerances.point, limit);
+  tell_limit(sides, limit, result);
+  return divided_faces(jobs, sides);
 }
 
 void check_options(const std::vector<TrimTool>& tools, const TrimOptions& options) {
@@ -288,14 +369,17 @@ TrimResult trim(const std::vector<PartFace>& part, const std::vector<TrimTool>& 
                 const TrimOptions& options) {
   check_options(tools, options);
   TrimResult result;
-  const WorkLimit limit(options.intersection);
-  std::vector<Job> jobs = jobs_of(part, tools, options, result);
-  split_all(jobs, options, limit, result);
-  tell_limit(jobs, limit, result);
-  const std::vector<Judged> sides =
-      judged(jobs, tools, options.intersection.tolerances.point, limit);
-  tell_limit(sides, limit, result);
-  collect(jobs, sides, options, result);
+  const SharedLimit limit(options.intersection);
+  std::optional<std::vector<DividedFace>> faces;
+  if (asks_for_solids(part, tools, options))
+    faces = divided_by_solids(part, tools, options, result);
+  if (!faces) {
+    TrimOptions left = options;
+    left.intersection = limit.remaining();
+    left.intersection.threads = options.intersection.threads;
+    faces = divided_one_by_one(part, tools, left, result);
+  }
+  collect(*faces, options, result);
   const int count = static_cast<int>(result.pieces.size());
   if (options.keep == Keep::Number && (options.piece < 1 || options.piece > count))
     throw InvalidInput("trim: there is no piece " + std::to_string(options.piece) + ", only 1 to " +

@@ -16,6 +16,11 @@ bool lies_on_other(SolidSide side) {
   return side == SolidSide::Same || side == SolidSide::Opposite;
 }
 
+SheetSide sheet_side(SolidSide side) {
+  if (lies_on_other(side)) return SheetSide::On;
+  return side == SolidSide::Inside ? SheetSide::Inside : SheetSide::Outside;
+}
+
 // A sheet has no inside: what its pieces' cuts say of their sides holds beside these alone.
 bool is_left(SolidSide side, const TrimTool& tool, SolidOperation operation) {
   const bool within = (tool.is_solid() && side == SolidSide::Inside) || lies_on_other(side);
@@ -41,7 +46,8 @@ bool areas_add_up(const std::vector<SolidPiece>& pieces, const std::vector<TopoD
 void take_sheet_pieces(const SolidPieces& pieces, const TrimTool& part, const TrimTool& tool,
                        SolidOperation operation, SolidTrimResult& result) {
   for (const SolidPiece& piece : pieces.a)
-    if (is_left(piece.side, tool, operation)) result.faces.push_back({piece.face, -1, piece.from});
+    if (is_left(piece.side, tool, operation))
+      result.faces.push_back({piece.face, -1, piece.from, sheet_side(piece.side)});
   const bool fuse = operation == SolidOperation::Fuse;
   if (fuse)
     for (const SolidPiece& piece : pieces.b)

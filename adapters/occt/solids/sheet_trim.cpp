@@ -71,9 +71,12 @@ std::vector<SolidFace> SheetWork::divided(const Divider& by) {
   for (const SolidFace& of : faces) sheet.faces.push_back(of.face);
   SolidTrimResult made = combined_pair(sheet, by.tool, operation, limit.remaining(), cones, valid);
   for (SolidFace& of : made.faces) {
-    const auto from = static_cast<std::size_t>(of.from);
-    of = of.tool < 0 ? SolidFace{of.face, faces[from].tool, faces[from].from}
-                     : SolidFace{of.face, by.place, of.from};
+    if (of.tool < 0) {
+      const SolidFace& origin = faces[static_cast<std::size_t>(of.from)];
+      of = {of.face, origin.tool, origin.from, std::max(origin.side, of.side)};
+    } else {
+      of.tool = by.place;
+    }
     valid.Add(of.face);
   }
   told.status = weaker(told.status, made.status);

@@ -425,7 +425,7 @@ TEST(TrimSolids, RefusesWhatIsNotClosed) {
   const TopoDS_Shape a = box({0, 0, 0}, {1, 1, 1});
   const TrimTool open{{trim_tool(a).faces.front()}, {}};
   EXPECT_THROW(trim_solids(trim_tool(a), {open}, SolidOperation::Cut), InvalidInput);
-  EXPECT_THROW(trim_solids(open, {trim_tool(a)}, SolidOperation::Cut), InvalidInput);
+  EXPECT_THROW(trim_solids(open, {trim_tool(a)}, SolidOperation::Fuse), InvalidInput);
   EXPECT_THROW(trim_solids(trim_tool(a), {}, SolidOperation::Cut), InvalidInput);
 }
 
@@ -433,20 +433,20 @@ TEST(TrimSolids, TellHowManyShellsAreOpen) {
   const TrimTool a = trim_tool(box({0, 0, 0}, {1, 1, 1})), b = trim_tool(box({2, 0, 0}, {3, 1, 1}));
   const auto told = [&](const TrimTool& part) -> std::string {
     try {
-      trim_solids(part, {b}, SolidOperation::Cut);
+      trim_solids(part, {b}, SolidOperation::Fuse);
     } catch (const InvalidInput& error) {
       return error.what();
     }
     return {};
   };
+  const std::string begin = "trim: the part is no closed solid: ";
+  const std::string end = "; solids are fused with solids, and sheets with sheets";
   TrimTool open{a.faces, {}};
-  EXPECT_EQ(
-      told(open),
-      "trim: the part is no closed solid: its shells close, but not all of them are in solids");
+  EXPECT_EQ(told(open), begin + "its shells close, but not all of them are in solids" + end);
   open.faces.pop_back();
-  EXPECT_EQ(told(open), "trim: the part is no closed solid: 1 of its 1 shell is open, at 4 edges");
+  EXPECT_EQ(told(open), begin + "1 of its 1 shell is open, at 4 edges" + end);
   open.faces.insert(open.faces.end(), b.faces.begin(), b.faces.end());
-  EXPECT_EQ(told(open), "trim: the part is no closed solid: 1 of its 2 shells is open, at 4 edges");
+  EXPECT_EQ(told(open), begin + "1 of its 2 shells is open, at 4 edges" + end);
 }
 
 }  // namespace
