@@ -25,6 +25,7 @@
 #include "core/blossom/triangle_blossom.h"
 #include "core/papers/q_curve.h"
 #include "plugin/cli/picture/canvas.h"
+#include "plugin/cli/picture/drawing.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/nets/net.h"
 #include "plugin/nets/net_shapes.h"
