@@ -217,9 +217,13 @@ def solids_add_up(document):
     made.Operation = "common"
     document.recompute()
     claim("nothing in common is an error that says so", says(made, "the result of common is empty"))
-    made.Part = [(block, "Face1")]
+    rod.Placement.Base = V()
+    made.Part, made.Operation = [(block, "Face6")], "cut"
     document.recompute()
-    claim("a face is no solid", says(made, "is no closed solid"))
+    claim("a face is cut as a sheet", near(made.Area, 100 - math.pi * 4) and made.Volume == 0)
+    made.Operation = "fuse"
+    document.recompute()
+    claim("a face is no solid to be fused with", says(made, "is no closed solid"))
 
 
 def check_colours_what_is_wrong(document):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Closed solids combined: cut, common, fuse, split."""
+"""Closed solids, or sheets, combined: cut, common, fuse, split."""
 
 from . import links
 from .feature import TOLERANCE, Choice, Fact, Feature, Link
@@ -8,12 +8,12 @@ from .feature import TOLERANCE, Choice, Fact, Feature, Link
 class Solid(Feature):
     NAME = "Solid"
     TITLE = "Combine solids"
-    TIP = "Cut, common, fuse or split of closed solids, with volumes that add up"
+    TIP = "Cut, common, fuse or split of closed solids and sheets; volumes or areas add up"
     DOING = "Combining solids"
     HIDES = True
     LINKS = (
-        Link("Part", "Part", "A closed solid"),
-        Link("Tools", "Tools", "Closed solids"),
+        Link("Part", "Part", "A closed solid, or a sheet"),
+        Link("Tools", "Tools", "Closed solids, or sheets"),
     )
     CHOICES = (
         Choice("Operation", "word", "cut", "Operation", "split: cut and common side by side",
@@ -24,6 +24,7 @@ class Solid(Feature):
         Fact("Status", "word", "That of the intersection"),
         Fact("Solids", "count", "How many solids came out"),
         Fact("Volume", "volume", "Of what came out, cubic mm"),
+        Fact("Area", "area", "Of the sheets that came out, square mm"),
         Fact("Obstacles", "words", "Why there is no result"),
     )
 
@@ -44,6 +45,7 @@ class Solid(Feature):
             "Status": report["status"],
             "Solids": len(report["solids"]),
             "Volume": report["total"]["result"],
+            "Area": report["areas"]["result"],
             "Obstacles": report["obstacles"],
         }
 
