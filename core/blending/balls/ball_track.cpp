@@ -156,9 +156,11 @@ BallPoint BallTrack::at(double parameter, bool after) const {
   plane.value = dot(plane.row, near.value);
   // Nodes are solutions, and so is what lies between them.
   const Vec4 x = system_->solved(near.value, cells_[i], p, plane).value_or(near.value);
-  Vec4 rate = system_->rate(x, cells_[i], p).value_or(near.first);
+  const auto jets = system_->jets(x, cells_[i], law().at(p).value);
+  if (!jets) return {};
+  Vec4 rate = system_->rate(*jets, p).value_or(near.first);
   if (!system_->is_driven()) rate *= dot(plane.row, near.first) / dot(plane.row, rate);
-  return system_->ball(x, rate, cells_[i], p).value_or(BallPoint{});
+  return system_->ball(x, rate, *jets, p);
 }
 
 double BallTrack::nearest(const Vec3& centre) const {

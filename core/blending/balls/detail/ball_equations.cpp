@@ -17,6 +17,7 @@ constexpr double kMinMinor = 1e-10;  // of F', columns relative to |S_u|: below,
 constexpr double kSettled = 4 * 0x1p-52;  // a step, relative to a coordinate or its extent
 constexpr double kAlmostSettled = 1e-9;   // then a step that is no smaller is rounding
 constexpr int kMaxSteps = 25;
+constexpr double kQuadratic = 1e-3;    // from steps that long Newton's method squares them
 constexpr double kLostStep = 10;       // so long a one comes from a matrix without its rank
 constexpr double kLongestStep = 0.25;  // of the extents, far from a solution
 constexpr double kStray = 0.5;         // of the extents, beside a part while looking for a start
@@ -52,6 +53,13 @@ double step_size(const Vec4& step, const Vec4& x, const Vec4& extents) {
   for (int k = 0; k < 4; ++k)
     size = std::max(size, std::abs(step[k]) / std::max(std::abs(x[k]), extents[k]));
   return size;
+}
+
+// Whether no step of Newton's method is left after two of these sizes: the one that would follow
+// has K size^2, K = size / before^2.
+bool is_settled(double size, double before) {
+  if (size <= kSettled || (size < kAlmostSettled && size >= 0.5 * before)) return true;
+  return before <= kQuadratic && size * size * size <= kSettled * before * before;
 }
 
 bool is_sound(const ChartRectangle& part, const BezierSurface& surface) {
@@ -107,10 +115,12 @@ std::optional<std::array<OffsetJet, 2>> BallSystem::jets(const Vec4& x, const Ba
 
 std::optional<Vec4> BallSystem::rate(const Vec4& x, const BallCells& cells,
                                      double parameter) const {
+  const auto o = jets(x, cells, law_.at(parameter).value);
+  return o ? rate(*o, parameter) : std::nullopt;
+}
+
+std::optional<Vec4> BallSystem::rate(const std::array<OffsetJet, 2>& side, double parameter) const {
   const RadiusJet r = law_.at(parameter);
-  const auto o = jets(x, cells, r.value);
-  if (!o) return std::nullopt;
-  const std::array<OffsetJet, 2>& side = *o;
   std::array<Vec3, 4> columns = columns_of(side);
   if (planes_) {
     const MovingPlane plane = planes_(parameter);
@@ -155,7 +165,7 @@ std::optional<Vec4> BallSystem::solved(Vec4 x, const BallCells& cells, double pa
     const double size = step_size(dx, x, extents_);
     if (!(size < kLostStep)) return std::nullopt;
     x -= dx;
-    if (size <= kSettled || (size < kAlmostSettled && size >= 0.5 * before)) return x;
+    if (is_settled(size, before)) return x;
     before = size;
   }
   return std::nullopt;
@@ -201,17 +211,15 @@ std::optional<Vec4> BallSystem::nearest(Vec4 x) const {
   return std::nullopt;
 }
 
-std::optional<BallPoint> BallSystem::ball(const Vec4& x, const Vec4& x_rate, const BallCells& cells,
-                                          double parameter) const {
+BallPoint BallSystem::ball(const Vec4& x, const Vec4& x_rate, const std::array<OffsetJet, 2>& side,
+                           double parameter) const {
   const RadiusJet r = law_.at(parameter);
-  const auto o = jets(x, cells, r.value);
-  if (!o) return std::nullopt;
   BallPoint ball;
   ball.parameter = parameter;
   ball.radius = r.value;
   ball.radius_rate = r.first;
   for (int k = 0; k < 2; ++k) {
-    const OffsetJet& jet = (*o)[static_cast<std::size_t>(k)];
+    const OffsetJet& jet = side[static_cast<std::size_t>(k)];
     BallContact& contact = ball.contacts[static_cast<std::size_t>(k)];
     contact.chart = chart_of(x, k);
     contact.chart_rate = chart_of(x_rate, k);

@@ -65,6 +65,7 @@ class BallSystem {
   /// dx by the parameter: at rolling length 1, or as the planes drive it. Nothing where F' loses
   /// its rank, to kMinMinor of what it can be.
   std::optional<Vec4> rate(const Vec4& x, const BallCells& cells, double parameter) const;
+  std::optional<Vec4> rate(const std::array<OffsetJet, 2>& jets, double parameter) const;
 
   /// The solution next to x by Newton's method; `plane` is used if the system is not driven.
   std::optional<Vec4> solved(Vec4 x, const BallCells& cells, double parameter,
@@ -74,9 +75,9 @@ class BallSystem {
   /// radius: cells are those of each iterate.
   std::optional<Vec4> nearest(Vec4 x) const;
 
-  /// The ball at a solution.
-  std::optional<BallPoint> ball(const Vec4& x, const Vec4& x_rate, const BallCells& cells,
-                                double parameter) const;
+  /// The ball at a solution, by the offsets there.
+  BallPoint ball(const Vec4& x, const Vec4& x_rate, const std::array<OffsetJet, 2>& jets,
+                 double parameter) const;
 
  private:
   bool shortest_step(std::array<Vec3, 4> columns, Vec3 f, Vec4& step) const;
