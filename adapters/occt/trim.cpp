@@ -256,13 +256,15 @@ std::vector<DividedFace> divided_faces(const std::vector<Job>& jobs,
   return faces;
 }
 
-// A piece whose side is not known is missing where sides are asked for.
+// A piece whose side is not known is missing where sides are asked for. Between two sheets of one
+// tool it may have none; beside solids it has.
 void note_undecided(const TrimPiece& piece, const TrimOptions& options, TrimResult& result) {
   if (piece.side != PieceSide::Unknown || options.keep == Keep::All || options.keep == Keep::Number)
     return;
   result.notes.push_back("piece " + std::to_string(piece.number) +
                          ": side undecided, it is not kept");
-  result.status = weaker(result.status, Status::Tolerance);
+  if (options.keep == Keep::Inside || options.keep == Keep::Outside)
+    result.status = weaker(result.status, Status::Tolerance);
 }
 
 void collect(const std::vector<DividedFace>& faces, const TrimOptions& options,

@@ -68,8 +68,8 @@ struct TrimResult {
 /// Where all faces are cut and all tools are closed solids, part and tools are divided as
 /// `trim_solids` does: areas add up, and rays prove on which side the pieces lie. Faces that are
 /// cut alone, those cut by sheets, and what cannot be divided so, which is told, are cut one by
-/// one: the sides follow from the cuts. The status is Tolerance then if a side that is asked for is
-/// undecided.
+/// one: the sides follow from the cuts. The status is Tolerance
+/// then if it is undecided whether a piece is inside.
 ///
 /// Where a face coincides with one of a tool it is cut along the border of their common region; the
 /// piece there lies on the tool, on none of its sides.

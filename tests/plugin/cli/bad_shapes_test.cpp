@@ -142,7 +142,7 @@ TEST_F(BadShapes, AToolWhoseWireCrossesItselfIsTold) {
 }
 
 TEST_F(BadShapes, SolidsHaveToBeClosed) {
-  expect_refused(box_of_faces(0, 6), {"--solid", "cut"}, "is no closed solid");
+  expect_refused(box_of_faces(0, 6), {"--solid", "fuse"}, "is no closed solid");
 }
 
 TEST_F(BadShapes, FacesOfASolidHaveToBeTurnedTheSameWay) {
