@@ -32,13 +32,22 @@ bool may_begin(std::string_view text, std::size_t place) {
   return place == 0 || text[place - 1] == ';' || text[place - 1] == '/';
 }
 
+/// Whether a section begins at a place with that word, which may have a list: "DATA('a',('b'))".
+bool begins_with(std::string_view text, std::size_t place, std::string_view word) {
+  if (!has_word(text, place, word)) return false;
+  const std::size_t behind = behind_blanks(text, place + word.size());
+  return behind < text.size() && (text[behind] == ';' || text[behind] == '(');
+}
+
 /// "HEADER;" behind the first statement, or a header if there is none.
 void mend_beginning(std::string& text) {
-  const std::size_t behind = make_statement(text, behind_blanks(text, 0), "ISO-10303-21");
+  const std::size_t begin = behind_blanks(text, 0);
+  if (!begins_with(text, begin, "ISO-10303-21")) return;
+  const std::size_t behind = make_statement(text, begin, "ISO-10303-21");
   const std::size_t next = behind_blanks(text, behind);
-  if (has_word(text, next, "HEADER"))
+  if (begins_with(text, next, "HEADER"))
     make_statement(text, next, "HEADER");
-  else if (has_word(text, next, "DATA"))
+  else if (begins_with(text, next, "DATA"))
     text.insert(next, "HEADER;\nENDSEC;\n");
 }
 
@@ -59,7 +68,7 @@ void mend_step_sections(std::string& text) {
   std::size_t behind = 0;
   for (std::size_t end = section_end(text, 0); end != kNowhere; end = section_end(text, behind)) {
     behind = make_statement(text, end, kEndOfSection);
-    if (const std::size_t next = behind_blanks(text, behind); has_word(text, next, "DATA"))
+    if (const std::size_t next = behind_blanks(text, behind); begins_with(text, next, "DATA"))
       behind = make_statement(text, next, "DATA");
   }
   const std::size_t end = text.rfind("END-ISO-10303-21");

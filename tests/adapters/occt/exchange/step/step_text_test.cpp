@@ -75,6 +75,11 @@ TEST(StepText, HasSectionsWithoutBlanksAndLists) {
             "ENDSEC; \nEND-ISO-10303-21;\n");
 }
 
+TEST(StepText, TakesNoLongerWordForASection) {
+  const std::string odd = "ISO-10303-21;\nHEADERS;\nENDSEC;\nDATABASE;\n#1=A();\nENDSEC;\n";
+  EXPECT_EQ(whole(odd + "END-ISO-10303-21;"), odd + "END-ISO-10303-21;\n");
+}
+
 TEST(StepText, HasAHeaderAndTheEndOfItsLastSection) {
   EXPECT_EQ(whole("ISO-10303-21;\nDATA;\n#1=A();\nEND-ISO-10303-21;"),
             "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=A();\nENDSEC;\nEND-ISO-10303-21;\n");
