@@ -327,6 +327,7 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   SolidTrimResult result;
   with_threads(options.threads,
                [&] { result = trimmed_at_corners(part, tools, operation, options); });
+  if (!part.is_solid()) result.open_part = describe_open_shell(part);
   if (!result.obstacles.empty()) {
     // Two ends of curves may have one cause.
     std::vector<std::string> causes;

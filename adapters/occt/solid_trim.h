@@ -71,13 +71,14 @@ struct SolidFace {
 struct SolidTrimResult {
   Status status = Status::Complete;  ///< of the intersection
   Certificate certificate;
-  std::vector<TopoDS_Solid> solids;     ///< none if it is empty or refused
-  std::vector<TopoDS_Shell> sheets;     ///< likewise, where sheets are combined
-  bool of_sheets = false;               ///< whether they are: then there are areas, and no volumes
-  std::vector<SolidFace> faces;         ///< of all solids, or of all sheets
-  std::vector<SolidVolumes> volumes;    ///< one for each step, of the two that were combined then
-  TotalVolumes total;                   ///< 0 if there is no result
-  TotalAreas areas;                     ///< likewise; of sheets that are combined
+  std::vector<TopoDS_Solid> solids;   ///< none if it is empty or refused
+  std::vector<TopoDS_Shell> sheets;   ///< likewise, where sheets are combined
+  bool of_sheets = false;             ///< whether they are: then there are areas, and no volumes
+  std::vector<SolidFace> faces;       ///< of all solids, or of all sheets
+  std::vector<SolidVolumes> volumes;  ///< one for each step, of the two that were combined then
+  TotalVolumes total;                 ///< 0 if there is no result
+  TotalAreas areas;                   ///< likewise; of sheets that are combined
+  std::string open_part;  ///< why the part is taken as a sheet, as `describe_open_shell`
   std::vector<std::string> obstacles;   ///< why there is no result; none if it can be used
   std::vector<std::string> thin;        ///< pieces, or cuts, that are apart and count as one
   std::vector<std::string> tolerances;  ///< what was not true about those of the part and the tools

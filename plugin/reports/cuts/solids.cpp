@@ -134,6 +134,7 @@ Json solid_report(const SolidAnswer& answer) {
           {"seconds", answer.seconds},
           {"solids", std::move(solids)},
           {"sheets", std::move(sheets)},
+          {"open_part", answer.made.open_part.empty() ? Json() : Json(answer.made.open_part)},
           {"areas",
            {{"part", answer.made.areas.part},
             {"tools", answer.made.areas.tools},

@@ -145,6 +145,16 @@ TEST_F(BadShapes, SolidsHaveToBeClosed) {
   expect_refused(box_of_faces(0, 6), {"--solid", "fuse"}, "is no closed solid");
 }
 
+TEST_F(BadShapes, AnOpenSolidIsCutAsASheetAndSaysSo) {
+  write(box_of_faces(0, 6), "bad.brep");
+  const Finished run = blossom({"trim", folder / "bad.brep", folder / "ball.brep", "--solid", "cut",
+                                "-o", folder / "out.step"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("bad.brep is taken as a sheet: 1 of its 1 shell is open"),
+            std::string::npos)
+      << run.out;
+}
+
 TEST_F(BadShapes, FacesOfASolidHaveToBeTurnedTheSameWay) {
   expect_refused(box_of_faces(3, 0), {"--solid", "cut"}, "are not all turned the same way");
 }

@@ -170,6 +170,8 @@ std::string summary(const SolidTrim& options, const TimedSolids& timed) {
   std::ostringstream text;
   text << options.part << ": " << options.operation << ", " << to_string(stated(timed.made.status))
        << ", " << counted_shapes(timed.made) << ", " << timed.seconds << " s\n";
+  if (!timed.made.open_part.empty())
+    text << "  " << options.part << " is taken as a sheet: " << timed.made.open_part << "\n";
   text << told_volumes(options, timed.made);
   if (timed.watertight) text << summary_of(*timed.watertight);
   for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";
