@@ -301,8 +301,7 @@ class Model(_results.MadeShape):
         """The closed solid or the sheet combined with others.
 
         operation   "cut", "common", "fuse", or "split": cut and common side by side. Sheets are cut
-                    by solids and divided by sheets, have something in common with either, are
-                    fused with sheets, and split solids
+                    by solids, divided by sheets and fused with them, and they split solids
         planes      pairs (point, normal); what is above cuts like a tool
         fuzzy       what is up to so much farther apart than the tolerance counts as one
         """
