@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/base/parallel.h"
 
+#include <atomic>
 #include <utility>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+
+#if defined(__unix__)
+#include <pthread.h>
+#endif
 
 #if defined(BLOSSOM_TELL_THREAD_SANITIZER)
 extern "C" {  // its interface
@@ -55,14 +60,28 @@ class HelpMark {
   const bool before_;
 };
 
+std::atomic<bool> threads_are_lost{false};
+
+bool notice_forks() {
+#if defined(__unix__)
+  ::pthread_atfork(nullptr, nullptr, [] { threads_are_lost = true; });
+#endif
+  return true;
+}
+
 }  // namespace
+
+bool threads_can_help() {
+  [[maybe_unused]] static const bool forks_are_noticed = notice_forks();
+  return !threads_are_lost;
+}
 
 void start_threads(int threads) {
   if (threads != 1) parallel_for(64, 1, [](std::size_t) {});
 }
 
 void with_threads(int threads, const std::function<void()>& work) {
-  if (threads <= 0) return work();
+  if (threads <= 0 || !threads_can_help()) return work();
   oneapi::tbb::task_arena arena(threads);
   arena.execute([&] {
     const HelpMark mark(true);
@@ -72,7 +91,8 @@ void with_threads(int threads, const std::function<void()>& work) {
 
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t)>& task) {
-  if (count <= grain || oneapi::tbb::this_task_arena::max_concurrency() == 1) {
+  if (count <= grain || !threads_can_help() ||
+      oneapi::tbb::this_task_arena::max_concurrency() == 1) {
     for (std::size_t i = 0; i < count; ++i) task(i);
     return;
   }

@@ -9,6 +9,11 @@
 
 namespace blossom {
 
+/// False in a child that was forked after the first call of this or of what follows: there the
+/// threads are lost, and so are the locks of oneTBB that they held at that moment, which is not to
+/// be asked any more. All work is done by the calling thread then.
+bool threads_can_help();
+
 /// Starts the threads ahead of the first call, unless only one is wanted. It takes about as long as
 /// the intersection of two small patches.
 void start_threads(int threads);

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -14,6 +15,8 @@
 #include <pthread.h>
 #include <sys/resource.h>
 #endif
+
+#include "core/base/parallel.h"
 
 namespace blossom::python {
 namespace {
@@ -80,7 +83,8 @@ void forget_workers_in_children() {
 
 void serve(Worker* worker) {
   give_way(worker->priority);
-  const Helpers helpers(worker->priority);
+  std::optional<Helpers> helpers;
+  if (threads_can_help()) helpers.emplace(worker->priority);
   while (true) {
     std::function<void()> task;
     {
