@@ -22,8 +22,8 @@
 #include "adapters/occt/solids/combined_pair.h"
 #include "adapters/occt/solids/labelled_solids.h"
 #include "adapters/occt/solids/sheets.h"
-#include "adapters/occt/solids/solid_validity.h"
-#include "adapters/occt/solids/stated_tolerance.h"
+#include "adapters/occt/solids/tolerances/stated_tolerance.h"
+#include "adapters/occt/solids/validity/solid_validity.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 

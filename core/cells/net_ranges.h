@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "core/math/quadratic.h"
+#include "core/math/functions/quadratic.h"
 #include "core/math/vec.h"
 
 namespace blossom {

@@ -7,7 +7,7 @@
 #include "core/cells/net_ranges.h"
 #include "core/forms/evaluation.h"
 #include "core/math/four.h"
-#include "core/math/quadratic.h"
+#include "core/math/functions/quadratic.h"
 
 namespace blossom {
 namespace {

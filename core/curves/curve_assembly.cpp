@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "core/bounds/interval_pairs.h"
+#include "core/curves/contact_length.h"
 #include "core/curves/overlap_place.h"
-#include "core/surfaces/contacts/contact_length.h"
 
 namespace blossom {
 namespace {

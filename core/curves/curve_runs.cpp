@@ -11,9 +11,9 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/bounds/interval_pairs.h"
+#include "core/curves/contact_length.h"
 #include "core/curves/curve_assembly.h"
 #include "core/curves/shared_curve.h"
-#include "core/surfaces/contacts/contact_length.h"
 
 namespace blossom {
 namespace {

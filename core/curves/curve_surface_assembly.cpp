@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/curves/contact_length.h"
 #include "core/curves/overlap_place.h"
-#include "core/surfaces/contacts/contact_length.h"
 
 namespace blossom {
 namespace {

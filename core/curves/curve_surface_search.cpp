@@ -7,8 +7,8 @@
 
 #include "core/base/work_limit.h"
 #include "core/cells/limits.h"
+#include "core/curves/contact_length.h"
 #include "core/curves/limits.h"
-#include "core/surfaces/contacts/contact_length.h"
 
 namespace blossom {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/quadrature.h"
+#include "core/math/functions/quadrature.h"
 
 namespace blossom {
 

@@ -11,7 +11,7 @@
 #include "core/base/errors.h"
 #include "core/math/index.h"
 #include "core/meshes/open_rings.h"
-#include "core/regions/constrained_delaunay.h"
+#include "core/regions/delaunay/constrained_delaunay.h"
 
 namespace blossom {
 namespace {

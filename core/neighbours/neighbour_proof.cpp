@@ -13,9 +13,9 @@
 #include "core/neighbours/limits.h"
 #include "core/neighbours/neighbour_edge.h"
 #include "core/neighbours/ways_to_edge.h"
-#include "core/surfaces/contacts/cell_descent.h"
-#include "core/surfaces/contacts/corner_separation.h"
-#include "core/surfaces/contacts/path_reach.h"
+#include "core/surfaces/adjacency/cell_descent.h"
+#include "core/surfaces/adjacency/corner_separation.h"
+#include "core/surfaces/adjacency/path_reach.h"
 
 namespace blossom {
 namespace {

@@ -6,7 +6,7 @@
 // nowhere else. Cells of both are halved until each pair of them is
 //   outside of the trims, or apart by a box or a plane, or
 //   within the tolerance of a common vertex, or
-//   beside a common edge, where paths prove it (`core/surfaces/contacts/path_reach.h`): in the
+//   beside a common edge, where paths prove it (`core/surfaces/adjacency/path_reach.h`): in the
 //   chart of each face a parameter line leads from every point of the cell to the edge, or
 //   beside a common edge along which one of them touches the other one's plane, cylinder or sphere
 //   and stays on one side of all of it (`core/surfaces/pairs/elementary_side.h`), or

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/plane/loops.h"
 
-#include "core/math/quadrature.h"
+#include "core/math/functions/quadrature.h"
 
 namespace blossom {
 namespace {

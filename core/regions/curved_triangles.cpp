@@ -13,7 +13,7 @@
 #include "core/forms/algebra/degree.h"
 #include "core/forms/evaluation.h"
 #include "core/math/index.h"
-#include "core/regions/plane_predicates.h"
+#include "core/regions/delaunay/plane_predicates.h"
 #include "core/regions/sliver_triangles.h"
 
 namespace blossom {

@@ -16,8 +16,8 @@
 
 #include "core/forms/triangle.h"
 #include "core/regions/border_arcs.h"
+#include "core/regions/delaunay/triangulation.h"
 #include "core/regions/triangle_lowering.h"
-#include "core/regions/triangulation.h"
 
 namespace blossom {
 

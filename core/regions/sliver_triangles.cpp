@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/math/index.h"
-#include "core/regions/plane_predicates.h"
+#include "core/regions/delaunay/plane_predicates.h"
 
 namespace blossom {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/math/grid.h"
+#include "core/tessellation/charts/spline_chart.h"
 #include "core/tessellation/facet_options.h"
 #include "core/tessellation/shape_model.h"
-#include "core/tessellation/spline_chart.h"
 
 namespace blossom {
 

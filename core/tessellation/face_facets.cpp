@@ -8,7 +8,7 @@
 
 #include "core/base/errors.h"
 #include "core/math/index.h"
-#include "core/regions/constrained_delaunay.h"
+#include "core/regions/delaunay/constrained_delaunay.h"
 #include "core/tessellation/inner_points.h"
 #include "core/tessellation/limits.h"
 #include "core/tessellation/segment_gap.h"

@@ -10,7 +10,7 @@
 #include "core/forms/surface.h"
 #include "core/math/vec.h"
 #include "core/regions/trimmed_chart.h"
-#include "core/tessellation/elementary_chart.h"
+#include "core/tessellation/charts/elementary_chart.h"
 
 namespace blossom {
 

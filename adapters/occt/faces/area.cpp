@@ -24,7 +24,7 @@
 #include "adapters/occt/faces/face_trims.h"
 #include "core/base/not_zero.h"
 #include "core/forms/iso_line.h"
-#include "core/math/quadrature.h"
+#include "core/math/functions/quadrature.h"
 
 namespace blossom::occt {
 namespace {

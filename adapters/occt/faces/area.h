@@ -23,7 +23,7 @@ namespace blossom::occt {
 ///           chart within the edges' tolerances count for what they are
 /// throws    BadModel if the face has no wire or an edge has no pcurve
 ///
-/// Source: Green's theorem; `core/math/quadrature.h`.
+/// Source: Green's theorem; `core/math/functions/quadrature.h`.
 double area(const TopoDS_Face& face, int cells = 1);
 
 /// The volume of the cone from a point over a face, cubic model units; negative where the oriented

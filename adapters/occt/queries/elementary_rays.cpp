@@ -13,7 +13,7 @@
 #include <gp_Ax3.hxx>
 
 #include "adapters/occt/base/points.h"
-#include "core/math/polynomial.h"
+#include "core/math/functions/polynomial.h"
 #include "core/plane/planar_curves.h"
 #include "core/topology/face_trims.h"
 

@@ -12,8 +12,8 @@
 #include "adapters/occt/base/check_words.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/surfaces.h"
-#include "adapters/occt/solids/faces_to_check.h"
-#include "adapters/occt/solids/polygon_faces.h"
+#include "adapters/occt/solids/validity/faces_to_check.h"
+#include "adapters/occt/solids/validity/polygon_faces.h"
 #include "adapters/occt/soundness.h"
 #include "core/base/parallel.h"
 

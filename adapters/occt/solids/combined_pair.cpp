@@ -16,11 +16,11 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
-#include "adapters/occt/solids/contact_scale.h"
 #include "adapters/occt/solids/sheets.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/solids/solid_shells.h"
-#include "adapters/occt/solids/solid_validity.h"
+#include "adapters/occt/solids/tolerances/contact_scale.h"
+#include "adapters/occt/solids/validity/solid_validity.h"
 #include "adapters/occt/splitting/common_edges.h"
 #include "core/base/work_limit.h"
 

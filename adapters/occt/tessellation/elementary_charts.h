@@ -7,7 +7,7 @@
 
 #include <Geom_Surface.hxx>
 
-#include "core/tessellation/elementary_chart.h"
+#include "core/tessellation/charts/elementary_chart.h"
 
 namespace blossom::occt {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/forms/algebra/interpolation.h"
-#include "core/math/sign_change.h"
+#include "core/math/functions/sign_change.h"
 
 namespace blossom {
 namespace {

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/math/binomial.h"
-#include "core/math/quadrature.h"
+#include "core/math/functions/quadrature.h"
 
 namespace blossom {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/math/four.h"
-#include "core/math/quadratic.h"
+#include "core/math/functions/quadratic.h"
 
 namespace blossom {
 namespace {

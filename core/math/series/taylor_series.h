@@ -12,7 +12,7 @@
 
 #include <array>
 
-#include "core/math/polynomial.h"
+#include "core/math/functions/polynomial.h"
 #include "core/math/vec.h"
 
 namespace blossom {

@@ -14,9 +14,4 @@ inline constexpr double kOnBorder = 1e-9;
 /// contact is found is narrower, and the next contact of a chain lies farther off.
 inline constexpr double kPolishReach = 0.02;
 
-/// Of the largest coordinate: what rounding makes of the distance of two evaluated points, 16 unit
-/// roundoffs. A choice: their bound (`evaluation_error`) is 22 at degree 3 and 58 at degree 9, if
-/// all roundings fell out alike.
-inline constexpr double kPointRounding = 0x1p-49;
-
 }  // namespace blossom

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/math/polynomial.h"
+#include "core/math/functions/polynomial.h"
 #include "core/math/series/taylor_series.h"
 #include "core/math/vec.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/forms/evaluation.h"
-#include "core/math/sign_change.h"
+#include "core/math/functions/sign_change.h"
 #include "core/surfaces/gap/limits.h"
 #include "core/surfaces/gap/model_points.h"
 #include "core/surfaces/gap/valley_labels.h"

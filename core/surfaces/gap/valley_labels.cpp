@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/sign_change.h"
+#include "core/math/functions/sign_change.h"
 #include "core/surfaces/gap/limits.h"
 
 namespace blossom {

@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-#include "core/math/polynomial.h"
+#include "core/math/functions/polynomial.h"
 #include "core/math/series/taylor_curve.h"
 #include "core/surfaces/gap/gap_model.h"
 #include "core/surfaces/gap/turned_axes.h"

@@ -11,8 +11,8 @@
 #include <set>
 #include <utility>
 
-#include "core/regions/plane_predicates.h"
-#include "core/regions/triangulation.h"
+#include "core/regions/delaunay/plane_predicates.h"
+#include "core/regions/delaunay/triangulation.h"
 #include "tests/support/random.h"
 
 namespace blossom {

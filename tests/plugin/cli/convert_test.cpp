@@ -30,7 +30,7 @@
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/shapes.h"
 #include "core/forms/algebra/conversion.h"
-#include "core/math/quadrature.h"
+#include "core/math/functions/quadrature.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::testing {

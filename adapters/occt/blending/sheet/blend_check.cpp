@@ -20,7 +20,7 @@
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/intersection.h"
-#include "adapters/occt/solids/solid_validity.h"
+#include "adapters/occt/solids/validity/solid_validity.h"
 #include "adapters/occt/soundness.h"
 
 namespace blossom::occt {

@@ -36,7 +36,7 @@
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
-#include "core/math/quadrature.h"
+#include "core/math/functions/quadrature.h"
 #include "tests/support/measures.h"
 
 namespace blossom::occt {

@@ -26,7 +26,7 @@
 #include <gp_Vec.hxx>
 
 #include "adapters/occt/solid_trim.h"
-#include "adapters/occt/solids/kept_tolerances.h"
+#include "adapters/occt/solids/tolerances/kept_tolerances.h"
 #include "tests/support/measures.h"
 
 namespace blossom::occt {

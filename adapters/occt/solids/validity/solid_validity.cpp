@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/solids/validity/solid_validity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepCheck_Shell.hxx>
+#include <BRepCheck_Solid.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2dAPI_InterCurveCurve.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/solids/validity/faces_to_check.h"
+#include "adapters/occt/solids/validity/polygon_faces.h"
+#include "core/math/interval.h"
+
+namespace blossom::occt {
+namespace {
+
+bool has_none(const BRepCheck_ListOfStatus& problems) {
+  return std::all_of(problems.begin(), problems.end(),
+                     [](BRepCheck_Status status) { return status == BRepCheck_NoError; });
+}
+
+bool new_faces_are_valid(const TopoDS_Shape& shape, const TopTools_MapOfShape& known) {
+  FacesToCheck faces;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    if (!known.Contains(it.Current()) && !is_sound_polygon(TopoDS::Face(it.Current())))
+      faces.add(TopoDS::Face(it.Current()));
+  return faces.all().NbChildren() == 0 || BRepCheck_Analyzer(faces.all()).IsValid();
+}
+
+bool shells_are_valid(const TopoDS_Solid& solid) {
+  for (TopoDS_Iterator it(solid); it.More(); it.Next()) {
+    if (it.Value().ShapeType() != TopAbs_SHELL) continue;
+    const Handle(BRepCheck_Shell) shell = new BRepCheck_Shell(TopoDS::Shell(it.Value()));
+    shell->InContext(solid);
+    if (!has_none(shell->Status()) || !has_none(shell->StatusOnShape(solid))) return false;
+  }
+  return true;
+}
+
+constexpr double kRoundings = 8;  // of the largest coordinate: how far off a point of an edge is
+constexpr double kCoverMargin = 1.1;
+
+// How far from a vertex edges of a length may cross since they touch in it.
+double touching_length(const gp_Pnt& point, double length) {
+  const double size = std::max({std::abs(point.X()), std::abs(point.Y()), std::abs(point.Z())});
+  const double off = kRoundings * std::numeric_limits<double>::epsilon() * (size + length);
+  return std::sqrt(8 * length * off);
+}
+
+// An edge with its curve in the parameters of one face.
+struct ChartedEdge {
+  TopoDS_Edge edge;
+  Handle(Geom2d_Curve) chart;
+  Interval range;
+  double length = 0;  // about
+};
+
+std::vector<ChartedEdge> charted_edges(const TopoDS_Face& face) {
+  std::vector<ChartedEdge> all;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    ChartedEdge made{TopoDS::Edge(it.Current()), {}, {}};
+    if (BRep_Tool::Degenerated(made.edge)) continue;
+    made.chart = BRep_Tool::CurveOnSurface(made.edge, face, made.range.from, made.range.to);
+    Interval range;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(made.edge, range.from, range.to);
+    if (made.chart.IsNull() || curve.IsNull()) continue;
+    const gp_Pnt middle = curve->Value(at(range, 0.5));
+    made.length =
+        curve->Value(range.from).Distance(middle) + middle.Distance(curve->Value(range.to));
+    all.push_back(std::move(made));
+  }
+  return all;
+}
+
+// The farthest crossing of two edges that one of their common vertices may stand for is covered.
+bool cover_crossings(const ChartedEdge& a, const ChartedEdge& b, const TopoDS_Face& face) {
+  TopTools_IndexedMapOfShape of_a, of_b;
+  TopExp::MapShapes(a.edge, TopAbs_VERTEX, of_a);
+  TopExp::MapShapes(b.edge, TopAbs_VERTEX, of_b);
+  bool any = false;
+  for (int i = 1; i <= of_a.Extent(); ++i) {
+    if (!of_b.Contains(of_a(i))) continue;
+    const TopoDS_Vertex vertex = TopoDS::Vertex(of_a(i));
+    const gp_Pnt point = BRep_Tool::Pnt(vertex);
+    const double most = touching_length(point, std::max(a.length, b.length));
+    const Geom2dAPI_InterCurveCurve met(new Geom2d_TrimmedCurve(a.chart, a.range.from, a.range.to),
+                                        new Geom2d_TrimmedCurve(b.chart, b.range.from, b.range.to),
+                                        Precision::PConfusion());
+    for (int k = 1; k <= met.NbPoints(); ++k) {
+      const gp_Pnt2d uv = met.Point(k);
+      const double gap = BRep_Tool::Surface(face)->Value(uv.X(), uv.Y()).Distance(point);
+      if (gap <= BRep_Tool::Tolerance(vertex) || gap > most) continue;
+      BRep_Builder().UpdateVertex(vertex, kCoverMargin * gap);
+      any = true;
+    }
+  }
+  return any;
+}
+
+bool cover_corners_of(const TopoDS_Face& face) {
+  const std::vector<ChartedEdge> edges = charted_edges(face);
+  bool any = false;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t k = i + 1; k < edges.size(); ++k)
+      if (!edges[i].edge.IsSame(edges[k].edge))
+        any = cover_crossings(edges[i], edges[k], face) || any;
+  return any;
+}
+
+}  // namespace
+
+bool cover_tangent_corners(const std::vector<TopoDS_Solid>& solids,
+                           const TopTools_MapOfShape& known) {
+  return guarded("covering corners", [&] {
+    bool any = false;
+    for (const TopoDS_Solid& solid : solids)
+      for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+        const TopoDS_Face face = TopoDS::Face(it.Current());
+        if (!known.Contains(face) && !BRepCheck_Analyzer(face).IsValid())
+          any = cover_corners_of(face) || any;
+      }
+    return any;
+  });
+}
+
+bool is_valid(const TopoDS_Solid& solid, const TopTools_MapOfShape& known) {
+  const Handle(BRepCheck_Solid) whole = new BRepCheck_Solid(solid);
+  return has_none(whole->Status()) && shells_are_valid(solid) && new_faces_are_valid(solid, known);
+}
+
+bool are_valid(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShape& known,
+               const WorkLimit& limit) {
+  return guarded("checking solids", [&] {
+    return std::ranges::all_of(solids, [&](const TopoDS_Solid& solid) {
+      check_limit(&limit, "checking solids");
+      return is_valid(solid, known);
+    });
+  });
+}
+
+bool are_valid(const std::vector<SolidFace>& faces, const TopTools_MapOfShape& known) {
+  return guarded("checking faces", [&] {
+    return std::ranges::all_of(
+        faces, [&](const SolidFace& of) { return new_faces_are_valid(of.face, known); });
+  });
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Planes, cylinders, cones, spheres and tori in their natural parameters, and how far flat facets
+// are from them: the distance from these surfaces is known in closed form.
+
+#pragma once
+
+#include <array>
+
+#include "core/forms/elementary.h"
+#include "core/math/vec.h"
+#include "core/tessellation/charts/curvature_sample.h"
+#include "core/tessellation/charts/jet_enclosure.h"
+
+namespace blossom {
+
+/// With e(u) = cos u x + sin u y, lengths in model units and angles in radians:
+///
+///   plane      O + u x + v y
+///   cylinder   O + R e(u) + v z
+///   cone       O + (R + v sin a) e(u) + v cos a z
+///   sphere     O + R cos v e(u) + R sin v z
+///   torus      O + (R + r cos v) e(u) + r sin v z
+struct ElementaryChart {
+  ElementaryKind kind = ElementaryKind::Plane;
+  Vec3 origin{};
+  Vec3 x{1, 0, 0};  ///< orthonormal, right- or left-handed
+  Vec3 y{0, 1, 0};
+  Vec3 z{0, 0, 1};
+  double radius = 0;  ///< R
+  double minor = 0;   ///< r
+  double angle = 0;   ///< a, in (-pi / 2, pi / 2)
+};
+
+/// The point, and the unit normal along S_u x S_v (where that is not 0).
+PointNormal frame_at(const ElementaryChart& chart, const Vec2& uv);
+
+/// Normal curvatures and lengths at a point.
+CurvatureSample curvature_at(const ElementaryChart& chart, const Vec2& uv);
+
+/// A bound on the distance of each point of a facet from the surface, and, where facets cover a
+/// region once, of each point of the region from them.
+///
+///   cylinder   R (1 - cos(w / 2)), w the width of the facet in u
+///   cone       the largest (R + v sin a) (1 - cos(u - u_m)) cos a of a corner, u_m their middle
+///   sphere     R minus the distance of the facet from the centre
+///   torus      by second derivatives (jet_enclosure.h)
+///
+/// corners    on the surface; two may be equal
+double facet_distance(const ElementaryChart& chart, const std::array<Vec2, 3>& corners);
+
+}  // namespace blossom

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tessellation/charts/spline_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/not_zero.h"
+#include "core/forms/evaluation.h"
+#include "core/math/index.h"
+#include "core/subdivision/patch_subdivision.h"
+#include "core/tessellation/charts/cell_jets.h"
+#include "core/tessellation/charts/joined_jet.h"
+#include "core/tessellation/charts/thin_spans.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kMostParts = 8;           // of a span
+constexpr double kMuchChange = 0.3;     // of the size of second derivatives, within a cell
+constexpr double kMuchTurn = 0.3;       // likewise of first ones
+constexpr int kMostPatches = 6;         // of which the parts under a facet are asked
+constexpr double kLeastPart = 0x1p-30;  // of a span: facets are not narrower
+constexpr double kNoBend = 0.2;         // of the wanted distance: it need not be known better
+constexpr double kThin = 0.01;          // of the wanted distance: spans that move no more are none
+
+int span_of(const std::vector<double>& ends, double parameter) {
+  const auto above = std::upper_bound(ends.begin() + 1, ends.end() - 1, parameter);
+  return static_cast<int>(above - ends.begin()) - 1;
+}
+
+// Of a range in the cell k.
+double width_in(const std::vector<double>& ends, int k, double low, double high) {
+  return std::min(high, ends[index(k + 1)]) - std::max(low, ends[index(k)]);
+}
+
+std::vector<double> even_cuts(int parts) {
+  std::vector<double> cuts;
+  for (int k = 0; k <= parts; ++k) cuts.push_back(static_cast<double>(k) / parts);
+  return cuts;
+}
+
+// Parts of a patch in both directions.
+int wanted_parts(const CellJet& whole, double h_u, double h_v, double fine) {
+  const JetEnclosure& jet = whole.jet;
+  const auto sum = [&](double uu, double uv, double vv) {
+    return h_u * h_u * uu + 2 * h_u * h_v * uv + h_v * h_v * vv;
+  };
+  const double change = sum(norm(jet.uu.radius), norm(jet.uv.radius), norm(jet.vv.radius));
+  const double size = sum(norm(jet.uu.centre), norm(jet.uv.centre), norm(jet.vv.centre));
+  if (change + size <= 8 * kNoBend * fine) return 1;
+  const double turn =
+      std::max(norm(whole.first_u.radius) / std::max(norm(whole.first_u.centre), kNotZero),
+               norm(whole.first_v.radius) / std::max(norm(whole.first_v.centre), kNotZero));
+  const double parts =
+      std::max(change / std::max(kMuchChange * size, 8 * kNoBend * fine), turn / kMuchTurn);
+  return static_cast<int>(std::clamp(std::ceil(parts), 1.0, double{kMostParts}));
+}
+
+// By the surface's own parameters, by which the local ones have the derivatives u and v. Their
+// second derivatives move along the surface alone.
+CurvatureSample curvature_of(const PatchJet& jet, double u, double v) {
+  const Vec3 n = unit(cross(jet.u, jet.v));
+  return {std::abs(dot(n, jet.uu)) * u * u, std::abs(dot(n, jet.uv)) * u * v,
+          std::abs(dot(n, jet.vv)) * v * v, norm(jet.u) * u, norm(jet.v) * v};
+}
+
+}  // namespace
+
+SplineChart::SplineChart(const BezierSurface& surface, double fine) : surface_(surface) {
+  validate(surface, "to be meshed");
+  drop_thin_spans(surface_, kThin * fine);
+  choose_cells(fine);
+  enclose();
+  find_jumps();
+}
+
+Vec2 SplineChart::clamped(const Vec2& uv) const {
+  return {std::clamp(uv[0], surface_.u_knots.front(), surface_.u_knots.back()),
+          std::clamp(uv[1], surface_.v_knots.front(), surface_.v_knots.back())};
+}
+
+PointNormal SplineChart::frame_at(const Vec2& uv) const {
+  const Vec2 at = clamped(uv);
+  const double u = at[0], v = at[1];
+  const int i = span_of(surface_.u_knots, u), j = span_of(surface_.v_knots, v);
+  const Interval span_u{surface_.u_knots[index(i)], surface_.u_knots[index(i + 1)]};
+  const Interval span_v{surface_.v_knots[index(j)], surface_.v_knots[index(j + 1)]};
+  const PatchJet jet = jet_at(surface_.patches(i, j), local_parameter(surface_.u_law, span_u, u),
+                              local_parameter(surface_.v_law, span_v, v), 1);
+  return {jet.point, unit(cross(jet.u, jet.v))};
+}
+
+void SplineChart::choose_cells(double fine) {
+  const Grid<RationalBezierPatch>& patches = surface_.patches;
+  u_parts_.assign(index(patches.rows()), 1);
+  v_parts_.assign(index(patches.columns()), 1);
+  for (int i = 0; i < patches.rows(); ++i)
+    for (int j = 0; j < patches.columns(); ++j) {
+      const Interval u{surface_.u_knots[index(i)], surface_.u_knots[index(i + 1)]};
+      const Interval v{surface_.v_knots[index(j)], surface_.v_knots[index(j + 1)]};
+      const CellJet whole =
+          cell_jet(patches(i, j), {u, surface_.u_law, {0, 1}}, {v, surface_.v_law, {0, 1}});
+      const int parts = wanted_parts(whole, length(u), length(v), fine);
+      const bool bends_u = whole.jet.uu.size() + whole.jet.uv.size() > 0;
+      const bool bends_v = whole.jet.vv.size() + whole.jet.uv.size() > 0;
+      if (bends_u) u_parts_[index(i)] = std::max(u_parts_[index(i)], parts);
+      if (bends_v) v_parts_[index(j)] = std::max(v_parts_[index(j)], parts);
+    }
+  const auto ends = [](const std::vector<double>& knots, ParameterLaw law,
+                       const std::vector<int>& parts) {
+    std::vector<double> result{knots.front()};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      for (int k = 1; k < parts[i]; ++k)
+        result.push_back(
+            parameter_at(law, {knots[i], knots[i + 1]}, static_cast<double>(k) / parts[i]));
+      result.push_back(knots[i + 1]);
+    }
+    return result;
+  };
+  u_ = ends(surface_.u_knots, surface_.u_law, u_parts_);
+  v_ = ends(surface_.v_knots, surface_.v_law, v_parts_);
+}
+
+void SplineChart::enclose() {
+  const int rows = static_cast<int>(u_.size()) - 1, columns = static_cast<int>(v_.size()) - 1;
+  jets_ = Grid<JetEnclosure>(rows, columns);
+  curvatures_ = Grid<CurvatureSample>(rows, columns);
+  int first_row = 0;
+  for (int i = 0; i < surface_.patches.rows(); first_row += u_parts_[index(i)], ++i) {
+    const Interval u{surface_.u_knots[index(i)], surface_.u_knots[index(i + 1)]};
+    const std::vector<double> u_cuts = even_cuts(u_parts_[index(i)]);
+    int first_column = 0;
+    for (int j = 0; j < surface_.patches.columns(); first_column += v_parts_[index(j)], ++j) {
+      const Interval v{surface_.v_knots[index(j)], surface_.v_knots[index(j + 1)]};
+      const std::vector<double> v_cuts = even_cuts(v_parts_[index(j)]);
+      const RationalBezierPatch& patch = surface_.patches(i, j);
+      const Grid<RationalBezierPatch> cells = subdivide(patch, u_cuts, v_cuts);
+      for (int k = 0; k < cells.rows(); ++k)
+        for (int l = 0; l < cells.columns(); ++l) {
+          const Interval part_u{u_cuts[index(k)], u_cuts[index(k + 1)]};
+          const Interval part_v{v_cuts[index(l)], v_cuts[index(l + 1)]};
+          const CellSide side_u{u, surface_.u_law, part_u}, side_v{v, surface_.v_law, part_v};
+          jets_(first_row + k, first_column + l) = cell_jet(cells(k, l), side_u, side_v).jet;
+          const double s = at(part_u, 0.5), t = at(part_v, 0.5);
+          curvatures_(first_row + k, first_column + l) =
+              curvature_of(jet_at(patch, s, t, 2), 1 / parameter_derivative(surface_.u_law, u, s),
+                           1 / parameter_derivative(surface_.v_law, v, t));
+        }
+    }
+  }
+}
+
+// Arcs of one circle go on smoothly.
+void SplineChart::find_jumps() {
+  const Grid<RationalBezierPatch>& patches = surface_.patches;
+  jumps_u_.assign(surface_.u_knots.size(), Vec3{});
+  jumps_v_.assign(surface_.v_knots.size(), Vec3{});
+  const auto side = [](const std::vector<double>& knots, ParameterLaw law, int i) {
+    return CellSide{{knots[index(i)], knots[index(i + 1)]}, law, {0, 1}};
+  };
+  const auto raise = [](Vec3& most, const Vec3& jump) {
+    for (int k = 0; k < 3; ++k) most[k] = std::max(most[k], jump[k]);
+  };
+  for (int i = 0; i < patches.rows(); ++i)
+    for (int j = 0; j < patches.columns(); ++j) {
+      const CellSide u = side(surface_.u_knots, surface_.u_law, i);
+      const CellSide v = side(surface_.v_knots, surface_.v_law, j);
+      if (i > 0 && u.law == ParameterLaw::Linear)
+        raise(jumps_u_[index(i)],
+              largest_jump_u(patches(i - 1, j), side(surface_.u_knots, u.law, i - 1), patches(i, j),
+                             u));
+      if (j > 0 && v.law == ParameterLaw::Linear)
+        raise(jumps_v_[index(j)],
+              largest_jump_v(patches(i, j - 1), side(surface_.v_knots, v.law, j - 1), patches(i, j),
+                             v));
+    }
+}
+
+JetEnclosure SplineChart::jet_of_cells(const Vec2& low, const Vec2& high) const {
+  const int i0 = span_of(u_, low[0]), j0 = span_of(v_, low[1]);
+  const int i1 = std::max(i0, span_of(u_, std::nextafter(high[0], low[0])));
+  const int j1 = std::max(j0, span_of(v_, std::nextafter(high[1], low[1])));
+  if (i0 == i1 && j0 == j1) return jets_(i0, j0);
+  return joined_jet(
+      i1 - i0 + 1, j1 - j0 + 1,
+      [&](int i, int j) -> const JetEnclosure& { return jets_(i0 + i, j0 + j); },
+      [&](int i) { return width_in(u_, i0 + i, low[0], high[0]); },
+      [&](int j) { return width_in(v_, j0 + j, low[1], high[1]); });
+}
+
+std::optional<JetEnclosure> SplineChart::jet_of_parts(const Vec2& low, const Vec2& high) const {
+  const std::vector<double>&u = surface_.u_knots, &v = surface_.v_knots;
+  const int i0 = span_of(u, low[0]), j0 = span_of(v, low[1]);
+  const int i1 = std::max(i0, span_of(u, std::nextafter(high[0], low[0])));
+  const int j1 = std::max(j0, span_of(v, std::nextafter(high[1], low[1])));
+  if ((i1 - i0 + 1) * (j1 - j0 + 1) > kMostPatches) return {};
+  const auto part_of = [](const std::vector<double>& knots, ParameterLaw law, int i, double from,
+                          double to) {
+    const Interval span{knots[index(i)], knots[index(i + 1)]};
+    // A part that is a point has no derivatives.
+    const double least = kLeastPart * length(span);
+    from = std::clamp(from, span.from, span.to - least);
+    to = std::clamp(to, from + least, span.to);
+    return CellSide{span, law, {local_parameter(law, span, from), local_parameter(law, span, to)}};
+  };
+  const int columns = j1 - j0 + 1;
+  std::array<JetEnclosure, kMostPatches> jets;
+  for (int i = i0; i <= i1; ++i)
+    for (int j = j0; j <= j1; ++j) {
+      const CellSide side_u = part_of(u, surface_.u_law, i, low[0], high[0]);
+      const CellSide side_v = part_of(v, surface_.v_law, j, low[1], high[1]);
+      const RationalBezierPatch net = sub_patch(surface_.patches(i, j), side_u.part, side_v.part);
+      jets[index((i - i0) * columns + j - j0)] = cell_jet(net, side_u, side_v).jet;
+    }
+  return joined_jet(
+      i1 - i0 + 1, columns,
+      [&](int i, int j) -> const JetEnclosure& { return jets[index(i * columns + j)]; },
+      [&](int i) { return width_in(u, i0 + i, low[0], high[0]); },
+      [&](int j) { return width_in(v, j0 + j, low[1], high[1]); });
+}
+
+void SplineChart::add_jumps(const Vec2& low, const Vec2& high, JetEnclosure& jet) const {
+  const auto add = [](const std::vector<double>& knots, const std::vector<Vec3>& jumps, double from,
+                      double to, Vec3& sum) {
+    auto knot = std::upper_bound(knots.begin(), knots.end(), from);
+    for (; knot != knots.end() && *knot < to; ++knot)
+      sum += jumps[static_cast<std::size_t>(knot - knots.begin())];
+  };
+  add(surface_.u_knots, jumps_u_, low[0], high[0], jet.jump_u);
+  add(surface_.v_knots, jumps_v_, low[1], high[1], jet.jump_v);
+}
+
+double SplineChart::facet_distance(std::array<Vec2, 3> corners, const Vec3& normal,
+                                   double wanted) const {
+  for (Vec2& corner : corners) corner = clamped(corner);
+  Vec2 low = corners[0], high = low;
+  for (const Vec2& corner : corners)
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], corner[k]);
+      high[k] = std::max(high[k], corner[k]);
+    }
+  JetEnclosure jet = jet_of_cells(low, high);
+  add_jumps(low, high, jet);
+  const double known = blossom::facet_distance(jet, normal, corners);
+  if (known <= wanted) return known;
+  std::optional<JetEnclosure> own = jet_of_parts(low, high);
+  if (!own) return known;
+  add_jumps(low, high, *own);
+  return std::min(known, blossom::facet_distance(*own, normal, corners));
+}
+
+}  // namespace blossom
