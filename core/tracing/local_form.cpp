@@ -16,7 +16,6 @@ namespace blossom {
 namespace {
 
 constexpr double kLargestTurn = 1.2;  // tan is bounded on discs of this radius
-constexpr double kFarthest = 64;      // from the middle, in half widths of the piece
 constexpr int kMinDegree = 5;
 
 // Chebyshev's nodes in [0, 1] of the degree, and the matrix from values there to Bezier points.
