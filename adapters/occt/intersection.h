@@ -12,7 +12,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "adapters/occt/convert/arc_cuts.h"
+#include "core/forms/spans/arc_spans.h"
 #include "core/self_intersection.h"
 #include "core/surface_intersection.h"
 #include "core/surfaces/branches/seam_chains.h"

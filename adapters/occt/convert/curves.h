@@ -8,11 +8,11 @@
 #include <Geom_BezierCurve.hxx>
 #include <Geom_Curve.hxx>
 
-#include "adapters/occt/convert/arc_cuts.h"
 #include "core/base/tolerances.h"
 #include "core/forms/conic.h"
 #include "core/forms/curve.h"
 #include "core/forms/curve_spans.h"
+#include "core/forms/spans/arc_spans.h"
 #include "core/forms/spline.h"
 #include "core/math/interval.h"
 

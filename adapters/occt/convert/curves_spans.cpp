@@ -20,15 +20,11 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/curves_detail.h"
+#include "core/forms/spans/arc_spans.h"
+#include "core/forms/spans/fitted_spans.h"
 
 namespace blossom::occt {
 namespace {
-
-/// A span that does not meet the tolerance is halved at most this often.
-constexpr int kMaxHalvings = 10;
-
-/// Samples of the error in a span, between the nodes.
-constexpr int kSpanSamples = 4 * kFitDegree + 3;
 
 CurveSpans polynomial(const std::vector<Vec3>& points, const Interval& place) {
   RationalBezierCurve curve;
@@ -51,115 +47,34 @@ CurveSpans parabola_spans(const Geom_Parabola& parabola, const Interval& range) 
   return polynomial({vec(parabola.Value(t0)), middle, vec(parabola.Value(t1))}, range);
 }
 
-/// P(t) = O + cos(t) a + sin(t) b.
-CurveSpans ellipse_spans(const Vec3& origin, const Vec3& a, const Vec3& b, const Interval& range,
-                         ArcCuts cuts) {
-  CurveSpans result;
-  result.rational = true;
-  for (const ArcSpan& arc : arc_spans(range, cuts)) {
-    RationalBezierCurve curve;
-    for (int k = 0; k < 3; ++k)
-      curve.points.push_back(
-          with_weight(arc.weight[k] * origin + arc.cosine[k] * a + arc.sine[k] * b, arc.weight[k]));
-    result.spans.push_back({std::move(curve), arc.place, ParameterLaw::Angle});
-  }
-  return result;
-}
-
 CurveSpans conic_spans(const gp_Ax2& axes, double a, double b, const Interval& range,
                        ArcCuts cuts) {
   return ellipse_spans(vec(axes.Location()), a * vec(axes.XDirection().XYZ()),
                        b * vec(axes.YDirection().XYZ()), range, cuts);
 }
 
-CurveSpans spline_spans(const FlatKnots& knots, const std::vector<Vec4>& poles,
-                        const Interval& range) {
-  CurveSpans result;
-  for (const FlatKnots::Span& span : knots.spans(range)) {
-    std::vector<Vec4> local;
-    for (int i = span.index - knots.degree(); i <= span.index; ++i)
-      local.push_back(poles[static_cast<std::size_t>(knots.pole(i))]);
-    RationalBezierCurve curve{std::vector<Vec4>(local.size())};
-    SpanForm(knots, span).bezier_points(local.data(), curve.points.data());
-    result.spans.push_back({std::move(curve), span.place, ParameterLaw::Linear});
-  }
-  for (const Vec4& p : poles) result.rational = result.rational || p[3] != 1;
-  return result;
-}
-
 CurveSpans bspline_spans(const Geom_BSplineCurve& curve, const Interval& range) {
   std::vector<Vec4> poles;
   for (int i = 1; i <= curve.NbPoles(); ++i)
     poles.push_back(homogeneous(curve.Pole(i), curve.IsRational() ? curve.Weight(i) : 1));
-  const FlatKnots knots(curve.Degree(), curve.Knots(), curve.Multiplicities(), curve.IsPeriodic());
-  return spline_spans(knots, poles, range);
+  const FlatKnots knots =
+      flat_knots(curve.Degree(), curve.Knots(), curve.Multiplicities(), curve.IsPeriodic());
+  return spline_spans(knots, spans_in(knots, range), poles);
 }
 
-/// Approximation by interpolation, span by span, each halved until it meets the tolerance.
-class Fit {
- public:
-  Fit(const Geom_Curve& curve, double tolerance) : curve_(curve), tolerance_(tolerance) {}
-
-  void add(const Interval& place, int halvings = 0) {
-    RationalBezierCurve fitted = fit(place);
-    const double error = kErrorSafety * error_of(fitted, place);
-    if (error > tolerance_ && halvings < kMaxHalvings) {
-      const double middle = at(place, 0.5);
-      add({place.from, middle}, halvings + 1);
-      add({middle, place.to}, halvings + 1);
-      return;
-    }
-    result.error = std::max(result.error, error);
-    result.spans.push_back({std::move(fitted), place, ParameterLaw::Linear});
-  }
-
-  CurveSpans result;
-
- private:
-  Vec3 value(double t) const {
-    const gp_Pnt point = curve_.Value(t);
+CurveSpans fitted_curve(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance) {
+  const GeomAdaptor_Curve adaptor(curve, range.from, range.to);
+  TColStd_Array1OfReal found(1, adaptor.NbIntervals(GeomAbs_CN) + 1);
+  adaptor.Intervals(found, GeomAbs_CN);
+  std::vector<double> breaks(found.begin(), found.end());
+  breaks.front() = range.from;
+  breaks.back() = range.to;
+  const auto value = [&](double t) {
+    const gp_Pnt point = curve->Value(t);
     check_finite(point.XYZ(), "the curve at " + std::to_string(t));
     return vec(point);
-  }
-
-  RationalBezierCurve fit(const Interval& place) const {
-    RationalBezierCurve fitted;
-    fitted.points.resize(kFitDegree + 1, Vec4{0, 0, 0, 1});
-    for (int j = 0; j <= kFitDegree; ++j) {
-      const Vec3 p = value(at(place, fit_nodes()[static_cast<std::size_t>(j)]));
-      for (int i = 0; i <= kFitDegree; ++i)
-        fitted.points[static_cast<std::size_t>(i)] += fit_matrix()(i, j) * with_weight(p, 0);
-    }
-    return fitted;
-  }
-
-  double error_of(const RationalBezierCurve& fitted, const Interval& place) const {
-    double largest = 0;
-    for (int k = 1; k < kSpanSamples; ++k) {
-      const double t = static_cast<double>(k) / kSpanSamples;
-      std::vector<Vec4> points = fitted.points;
-      for (std::size_t n = points.size() - 1; n > 0; --n)
-        for (std::size_t i = 0; i < n; ++i) points[i] = (1 - t) * points[i] + t * points[i + 1];
-      largest = std::max(largest, distance(head(points.front()), value(at(place, t))));
-    }
-    return largest;
-  }
-
-  const Geom_Curve& curve_;
-  double tolerance_;
-};
-
-CurveSpans fitted_spans(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance) {
-  const GeomAdaptor_Curve adaptor(curve, range.from, range.to);
-  const int count = adaptor.NbIntervals(GeomAbs_CN);
-  TColStd_Array1OfReal breaks(1, count + 1);
-  adaptor.Intervals(breaks, GeomAbs_CN);
-  breaks(1) = range.from;
-  breaks(count + 1) = range.to;
-  Fit fit(*curve, tolerance);
-  for (int i = 1; i <= count; ++i)
-    if (breaks(i) < breaks(i + 1)) fit.add({breaks(i), breaks(i + 1)});
-  return std::move(fit.result);
+  };
+  return fitted_spans(value, breaks, tolerance);
 }
 
 CurveSpans spans_of(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance,
@@ -176,11 +91,12 @@ CurveSpans spans_of(const Handle(Geom_Curve) & curve, const Interval& range, dou
   if (const auto bezier = Handle(Geom_BezierCurve)::DownCast(curve); !bezier.IsNull()) {
     const RationalBezierCurve whole = from_occt(*bezier);
     if (range == Interval{0, 1}) return curve_spans(whole);
-    return spline_spans(FlatKnots(bezier->Degree()), whole.points, range);
+    const FlatKnots knots(bezier->Degree());
+    return spline_spans(knots, spans_in(knots, range), whole.points);
   }
   if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve); !spline.IsNull())
     return bspline_spans(*spline, range);
-  return fitted_spans(curve, range, tolerance);
+  return fitted_curve(curve, range, tolerance);
 }
 
 // The words of a message are made only where there is one to write.

@@ -8,7 +8,4 @@ namespace blossom::occt {
 /// Parts of a range of parameters that count as rounding: files write about ten digits of them.
 inline constexpr double kRangeRounding = 1e-9;
 
-/// Part of a quarter of a turn: arcs longer by less need no further piece.
-inline constexpr double kQuarterSlack = 1e-9;
-
 }  // namespace blossom::occt

@@ -24,7 +24,7 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/curves_detail.h"
-#include "adapters/occt/convert/limits.h"
+#include "core/forms/spans/arc_spans.h"
 
 namespace blossom::occt {
 namespace {
@@ -71,10 +71,10 @@ PlanarCurve spans(const Handle(Geom2d_BSplineCurve) & given, const Interval& ran
   TColStd_Array1OfInteger multiplicities(1, given->NbKnots());
   given->Knots(knots);
   given->Multiplicities(multiplicities);
-  const FlatKnots flat(given->Degree(), knots, multiplicities, given->IsPeriodic());
+  const FlatKnots flat = flat_knots(given->Degree(), knots, multiplicities, given->IsPeriodic());
   PlanarCurve curve;
   std::vector<Vec4> local(static_cast<std::size_t>(given->Degree()) + 1), points(local.size());
-  for (const FlatKnots::Span& span : flat.spans(reach)) {
+  for (const FlatKnots::Span& span : spans_in(flat, reach)) {
     for (std::size_t i = 0; i < local.size(); ++i)
       local[i] = poles[static_cast<std::size_t>(
           flat.pole(span.index - given->Degree() + static_cast<int>(i)))];

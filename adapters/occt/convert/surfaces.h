@@ -8,9 +8,9 @@
 #include <Geom_Surface.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "adapters/occt/convert/arc_cuts.h"
 #include "core/base/tolerances.h"
 #include "core/forms/patch.h"
+#include "core/forms/spans/arc_spans.h"
 #include "core/forms/surface.h"
 #include "core/math/interval.h"
 

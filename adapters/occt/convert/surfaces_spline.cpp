@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bezier and B-spline surfaces, there and back.
 
-#include <utility>
-
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
@@ -26,56 +24,9 @@ Grid<Vec4> homogeneous_net(const Surface& surface) {
   return net;
 }
 
-Grid<Vec4> transposed(const Grid<Vec4>& net) {
-  Grid<Vec4> result(net.columns(), net.rows());
-  for (int i = 0; i < net.rows(); ++i)
-    for (int j = 0; j < net.columns(); ++j) result(j, i) = net(i, j);
-  return result;
-}
-
-/// All columns of a net in Bezier form along the rows: degree + 1 rows for each span.
-Grid<Vec4> bezier_rows(const FlatKnots& knots, const std::vector<FlatKnots::Span>& spans,
-                       const Grid<Vec4>& net) {
-  const int order = knots.degree() + 1;
-  Grid<Vec4> result(order * static_cast<int>(spans.size()), net.columns());
-  std::vector<Vec4> local(static_cast<std::size_t>(order)), points(local);
-  for (int s = 0; s < static_cast<int>(spans.size()); ++s) {
-    const FlatKnots::Span& span = spans[static_cast<std::size_t>(s)];
-    const SpanForm form(knots, span);
-    for (int j = 0; j < net.columns(); ++j) {
-      for (int i = 0; i < order; ++i)
-        local[static_cast<std::size_t>(i)] = net(knots.pole(span.index - order + 1 + i), j);
-      form.bezier_points(local.data(), points.data());
-      for (int i = 0; i < order; ++i)
-        result(order * s + i, j) = points[static_cast<std::size_t>(i)];
-    }
-  }
-  return result;
-}
-
-std::vector<double> breaks(const std::vector<FlatKnots::Span>& spans) {
-  std::vector<double> knots{spans.front().place.from};
-  for (const FlatKnots::Span& span : spans) knots.push_back(span.place.to);
-  return knots;
-}
-
 BezierSurface patches_of(const FlatKnots& u, const FlatKnots& v, const Grid<Vec4>& net,
                          const ParameterBox& box) {
-  const auto u_spans = u.spans(box.u);
-  const auto v_spans = v.spans(box.v);
-  const Grid<Vec4> along_u = bezier_rows(u, u_spans, net);
-  const Grid<Vec4> all = transposed(bezier_rows(v, v_spans, transposed(along_u)));
-  BezierSurface result;
-  result.u_knots = breaks(u_spans);
-  result.v_knots = breaks(v_spans);
-  const int rows = u.degree() + 1, columns = v.degree() + 1;
-  result.patches =
-      Grid<RationalBezierPatch>(static_cast<int>(u_spans.size()), static_cast<int>(v_spans.size()),
-                                {Grid<Vec4>(rows, columns)});
-  for (int i = 0; i < all.rows(); ++i)
-    for (int j = 0; j < all.columns(); ++j)
-      result.patches(i / rows, j / columns).points(i % rows, j % columns) = all(i, j);
-  return result;
+  return spline_patches(u, spans_in(u, box.u), v, spans_in(v, box.v), net);
 }
 
 /// Control points and weights of a net as Open CASCADE takes them.
@@ -123,10 +74,10 @@ BezierSurface spline_patches(const Geom_BezierSurface& surface, const ParameterB
 }
 
 BezierSurface spline_patches(const Geom_BSplineSurface& surface, const ParameterBox& box) {
-  const FlatKnots u(surface.UDegree(), surface.UKnots(), surface.UMultiplicities(),
-                    surface.IsUPeriodic());
-  const FlatKnots v(surface.VDegree(), surface.VKnots(), surface.VMultiplicities(),
-                    surface.IsVPeriodic());
+  const FlatKnots u = flat_knots(surface.UDegree(), surface.UKnots(), surface.UMultiplicities(),
+                                 surface.IsUPeriodic());
+  const FlatKnots v = flat_knots(surface.VDegree(), surface.VKnots(), surface.VMultiplicities(),
+                                 surface.IsVPeriodic());
   return patches_of(u, v, homogeneous_net(surface), box);
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/convert/curves_detail.h"
+#include "core/forms/spans/homogeneous.h"
 
 namespace blossom::occt {
 namespace {

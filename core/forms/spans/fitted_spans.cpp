@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/forms/spans/fitted_spans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "core/forms/spans/homogeneous.h"
+#include "core/math/grid.h"
+#include "core/math/interval.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kNodeDegree = 5;
+
+/// What sampled errors are multiplied with, since samples may miss the largest one.
+constexpr double kErrorSafety = 2.0;
+
+/// A span that does not meet the tolerance is halved at most this often.
+constexpr int kMaxHalvings = 10;
+
+/// Samples of the error in a span, between the nodes.
+constexpr int kSpanSamples = 4 * kNodeDegree + 3;
+
+/// Spans per direction after which an unmet tolerance is left as it is, and reported.
+constexpr std::size_t kMaxSpans = 96;
+
+/// Rounds of halving.
+constexpr int kMaxRounds = 8;
+
+/// Samples of the error per direction of a patch, at odd places between the nodes.
+constexpr int kPatchSamples = 2 * kNodeDegree + 3;
+
+/// Local parameters of the nodes in [0, 1].
+const std::vector<double>& fit_nodes() {
+  static const std::vector<double> nodes = [] {
+    std::vector<double> x;
+    for (int i = 0; i <= kNodeDegree; ++i)
+      x.push_back((1 - std::cos(std::numbers::pi * i / kNodeDegree)) / 2);
+    x.back() = 1;
+    return x;
+  }();
+  return nodes;
+}
+
+double node(int i) { return fit_nodes()[static_cast<std::size_t>(i)]; }
+
+/// Values of the Bernstein polynomials (columns) in the nodes (rows), beside the unit matrix.
+Grid<long double> fit_system() {
+  constexpr int n = kNodeDegree;
+  Grid<long double> a(n + 1, 2 * n + 2);
+  for (int i = 0; i <= n; ++i) {
+    const long double t = node(i);
+    long double binomial = 1;
+    for (int j = 0; j <= n; ++j) {
+      a(i, j) = binomial * std::pow(t, static_cast<long double>(j)) *
+                std::pow(1 - t, static_cast<long double>(n - j));
+      binomial = binomial * (n - j) / (j + 1);
+    }
+    a(i, n + 1 + i) = 1;
+  }
+  return a;
+}
+
+/// Takes values in the nodes to Bezier points. The first and the last row are exact.
+const Grid<double>& fit_matrix() {
+  static const Grid<double> matrix = [] {
+    constexpr int n = kNodeDegree;
+    Grid<long double> a = fit_system();
+    // Gauss-Jordan without pivoting: Bernstein matrices in increasing nodes are totally positive.
+    for (int k = 0; k <= n; ++k) {
+      const long double pivot = a(k, k);
+      for (int j = 0; j < 2 * n + 2; ++j) a(k, j) /= pivot;
+      for (int i = 0; i <= n; ++i) {
+        const long double factor = i == k ? 0 : a(i, k);
+        for (int j = 0; j < 2 * n + 2; ++j) a(i, j) -= factor * a(k, j);
+      }
+    }
+    Grid<double> inverse(n + 1, n + 1);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) inverse(i, j) = static_cast<double>(a(i, n + 1 + j));
+    for (int j = 0; j <= n; ++j) {
+      inverse(0, j) = j == 0 ? 1 : 0;
+      inverse(n, j) = j == n ? 1 : 0;
+    }
+    return inverse;
+  }();
+  return matrix;
+}
+
+Vec4 casteljau(std::vector<Vec4> points, double t) {
+  for (std::size_t n = points.size() - 1; n > 0; --n)
+    for (std::size_t i = 0; i < n; ++i) points[i] = (1 - t) * points[i] + t * points[i + 1];
+  return points.front();
+}
+
+class CurveFit {
+ public:
+  CurveFit(const std::function<Vec3(double)>& value, double tolerance)
+      : value_(value), tolerance_(tolerance) {}
+
+  void add(const Interval& place, int halvings = 0) {
+    RationalBezierCurve fitted = fit(place);
+    const double error = kErrorSafety * error_of(fitted, place);
+    if (error > tolerance_ && halvings < kMaxHalvings) {
+      const double middle = at(place, 0.5);
+      add({place.from, middle}, halvings + 1);
+      add({middle, place.to}, halvings + 1);
+      return;
+    }
+    result.error = std::max(result.error, error);
+    result.spans.push_back({std::move(fitted), place, ParameterLaw::Linear});
+  }
+
+  CurveSpans result;
+
+ private:
+  RationalBezierCurve fit(const Interval& place) const {
+    RationalBezierCurve fitted;
+    fitted.points.resize(kNodeDegree + 1, Vec4{0, 0, 0, 1});
+    for (int j = 0; j <= kNodeDegree; ++j) {
+      const Vec3 p = value_(at(place, node(j)));
+      for (int i = 0; i <= kNodeDegree; ++i)
+        fitted.points[static_cast<std::size_t>(i)] += fit_matrix()(i, j) * with_weight(p, 0);
+    }
+    return fitted;
+  }
+
+  double error_of(const RationalBezierCurve& fitted, const Interval& place) const {
+    double largest = 0;
+    for (int k = 1; k < kSpanSamples; ++k) {
+      const double t = static_cast<double>(k) / kSpanSamples;
+      largest =
+          std::max(largest, distance(head(casteljau(fitted.points, t)), value_(at(place, t))));
+    }
+    return largest;
+  }
+
+  const std::function<Vec3(double)>& value_;
+  double tolerance_;
+};
+
+/// Error of a patch, and its parts by the direction in which the interpolation runs.
+struct PatchError {
+  double all = 0;
+  double u = 0;
+  double v = 0;
+};
+
+class SurfaceFit {
+ public:
+  SurfaceFit(const std::function<Vec3(double, double)>& value, double tolerance)
+      : value_(value), tolerance_(tolerance) {}
+
+  BezierSurface run(std::vector<double> u_knots, std::vector<double> v_knots) const {
+    BezierSurface result;
+    for (int round = 0;; ++round) {
+      result = fitted(u_knots, v_knots);
+      std::set<double> u_cuts(u_knots.begin(), u_knots.end());
+      std::set<double> v_cuts(v_knots.begin(), v_knots.end());
+      result.error = add_cuts(result, u_cuts, v_cuts);
+      const bool full = u_cuts.size() > kMaxSpans + 1 || v_cuts.size() > kMaxSpans + 1;
+      if (result.error <= tolerance_ || full || round == kMaxRounds) return result;
+      u_knots.assign(u_cuts.begin(), u_cuts.end());
+      v_knots.assign(v_cuts.begin(), v_cuts.end());
+    }
+  }
+
+ private:
+  /// Values in the nodes, then the fit in one direction and in the other. Borders depend on
+  /// values on the border alone, so neighbours share them bit for bit.
+  RationalBezierPatch patch(const Interval& u, const Interval& v) const {
+    constexpr int n = kNodeDegree;
+    const Grid<double>& m = fit_matrix();
+    Grid<Vec3> values(n + 1, n + 1), half(n + 1, n + 1);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) values(i, j) = value_(at(u, node(i)), at(v, node(j)));
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j)
+        for (int k = 0; k <= n; ++k) half(i, j) += m(i, k) * values(k, j);
+    RationalBezierPatch result{Grid<Vec4>(n + 1, n + 1, {0, 0, 0, 1})};
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j)
+        for (int k = 0; k <= n; ++k) result.points(i, j) += m(j, k) * with_weight(half(i, k), 0);
+    return result;
+  }
+
+  BezierSurface fitted(const std::vector<double>& u, const std::vector<double>& v) const {
+    BezierSurface result;
+    result.u_knots = u;
+    result.v_knots = v;
+    result.patches =
+        Grid<RationalBezierPatch>(static_cast<int>(u.size()) - 1, static_cast<int>(v.size()) - 1);
+    for (int r = 0; r < result.patches.rows(); ++r)
+      for (int c = 0; c < result.patches.columns(); ++c)
+        result.patches(r, c) = patch(span(u, r), span(v, c));
+    return result;
+  }
+
+  static Interval span(const std::vector<double>& knots, int i) {
+    return {knots[static_cast<std::size_t>(i)], knots[static_cast<std::size_t>(i + 1)]};
+  }
+
+  static Vec3 point(const RationalBezierPatch& net, double s, double t) {
+    std::vector<Vec4> rows;
+    for (int i = 0; i < net.points.rows(); ++i) {
+      std::vector<Vec4> row;
+      for (int j = 0; j < net.points.columns(); ++j) row.push_back(net.points(i, j));
+      rows.push_back(casteljau(std::move(row), t));
+    }
+    return head(casteljau(std::move(rows), s));
+  }
+
+  PatchError error_of(const RationalBezierPatch& net, const Interval& u, const Interval& v) const {
+    PatchError error;
+    const auto gap = [&](double s, double t) {
+      const double found = distance(point(net, s, t), value_(at(u, s), at(v, t)));
+      error.all = std::max(error.all, found);
+      return found;
+    };
+    const auto sample = [](int k) { return static_cast<double>(k) / kPatchSamples; };
+    for (int k = 0; k < kPatchSamples; ++k) {
+      for (const double x : fit_nodes()) {
+        error.u = std::max(error.u, gap(sample(k) + 0.5 / kPatchSamples, x));
+        error.v = std::max(error.v, gap(x, sample(k) + 0.5 / kPatchSamples));
+      }
+      for (int l = 1; l < kPatchSamples; ++l) gap(sample(k) + 0.25 / kPatchSamples, sample(l));
+    }
+    return error;
+  }
+
+  /// Adds the middles of spans that miss the tolerance; returns the largest error, with safety.
+  double add_cuts(const BezierSurface& fit, std::set<double>& u_cuts,
+                  std::set<double>& v_cuts) const {
+    double largest = 0;
+    for (int r = 0; r < fit.patches.rows(); ++r)
+      for (int c = 0; c < fit.patches.columns(); ++c) {
+        const Interval u = span(fit.u_knots, r), v = span(fit.v_knots, c);
+        const PatchError error = error_of(fit.patches(r, c), u, v);
+        largest = std::max(largest, kErrorSafety * error.all);
+        if (kErrorSafety * error.all <= tolerance_) continue;
+        if (error.u >= error.v / 4) u_cuts.insert(at(u, 0.5));
+        if (error.v >= error.u / 4) v_cuts.insert(at(v, 0.5));
+      }
+    return largest;
+  }
+
+  const std::function<Vec3(double, double)>& value_;
+  double tolerance_;
+};
+
+}  // namespace
+
+CurveSpans fitted_spans(const std::function<Vec3(double)>& value, const std::vector<double>& breaks,
+                        double tolerance) {
+  CurveFit fit(value, tolerance);
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+    if (breaks[i] < breaks[i + 1]) fit.add({breaks[i], breaks[i + 1]});
+  return std::move(fit.result);
+}
+
+BezierSurface fitted_surface(const std::function<Vec3(double, double)>& value,
+                             std::vector<double> u_breaks, std::vector<double> v_breaks,
+                             double tolerance) {
+  return SurfaceFit(value, tolerance).run(std::move(u_breaks), std::move(v_breaks));
+}
+
+}  // namespace blossom
