@@ -43,6 +43,7 @@ struct FaceVertex {
   double tolerance = 0;  ///< model units
 };
 
+/// A point of a surface with its first derivatives.
 struct SurfaceJet {
   Vec3 point;
   Vec3 du, dv;

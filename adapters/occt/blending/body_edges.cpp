@@ -32,7 +32,7 @@ Vec3 normal_at(const Handle(Geom_Surface) & surface, Vec2 uv) {
   constexpr double kNoSine = 1e-12;  // between both derivatives: at a pole but for rounding
   Vec3 normal;
   for (int i = 0; i < 4; ++i, uv += Vec2{kStep, kStep}) {
-    const SurfaceFrame frame = frame_at(surface, uv);
+    const SurfaceJet frame = frame_at(surface, uv);
     normal = cross(frame.du, frame.dv);
     if (norm(normal) > kNoSine * norm(frame.du) * norm(frame.dv) && norm(normal) > 0) break;
   }

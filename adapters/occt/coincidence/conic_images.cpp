@@ -253,7 +253,7 @@ std::array<Vec2, 3> Conics::bent_jet(std::size_t k, double t, std::optional<Vec2
   const Vec2 at = uv(k, t, near);
   near = at;
   const Handle(Geom_Surface)& surface = sheets_[k]->feet.surface();
-  const SurfaceFrame frame = frame_at(surface, at);
+  const SurfaceJet frame = frame_at(surface, at);
   const SurfaceBend bend = bend_at(surface, at);
   const Vec2 first = chart_step(frame, derivative_at(conic_, t));
   const Vec3 left = second_derivative_at(conic_, t) - first[0] * first[0] * bend.uu -

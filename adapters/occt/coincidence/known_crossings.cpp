@@ -36,7 +36,7 @@ Interval range_of(const Conic& conic, const Box& box) {
   return conic.is_closed() ? Interval{0, 2 * std::numbers::pi} : inside(box, conic);
 }
 
-double angle_between(const SurfaceFrame& a, const SurfaceFrame& b) {
+double angle_between(const SurfaceJet& a, const SurfaceJet& b) {
   const Vec3 x = cross(a.du, a.dv), y = cross(b.du, b.dv);
   return std::atan2(norm(cross(x, y)), std::abs(dot(x, y)));
 }
@@ -44,7 +44,7 @@ double angle_between(const SurfaceFrame& a, const SurfaceFrame& b) {
 // Ranges of both parameters that hold all within a reach in space; in a pole that is all.
 void widen_charts(const Handle(Geom_Surface) & surface, const Vec2& uv, double reach,
                   Interval* ranges) {
-  const SurfaceFrame frame = frame_at(surface, uv);
+  const SurfaceJet frame = frame_at(surface, uv);
   for (int d = 0; d < 2; ++d) {
     const double size = norm(d == 0 ? frame.du : frame.dv);
     const double beside = std::min(reach / std::max(size, kNotZero), kWidest);

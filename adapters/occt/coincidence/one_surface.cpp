@@ -29,7 +29,7 @@ Vec3 inwards(const OutlineEdge& of, const Handle(Geom_Surface) & surface, double
   gp_Pnt2d uv;
   gp_Vec2d step;
   of.chart->D1(t, uv, step);
-  const SurfaceFrame frame = frame_at(surface, {uv.X(), uv.Y()});
+  const SurfaceJet frame = frame_at(surface, {uv.X(), uv.Y()});
   const Vec3 along = step.X() * frame.du + step.Y() * frame.dv;
   const Vec3 left = cross(cross(frame.du, frame.dv), along);
   return of.edge.Orientation() == TopAbs_REVERSED ? -left : left;

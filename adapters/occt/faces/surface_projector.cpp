@@ -40,14 +40,14 @@ std::optional<Vec3> one_point(const std::function<gp_Pnt(double)>& border, const
 
 }  // namespace
 
-Vec2 chart_step(const SurfaceFrame& at, const Vec3& step) {
+Vec2 chart_step(const SurfaceJet& at, const Vec3& step) {
   const Vec3 area = cross(at.du, at.dv);
   const double square = dot(area, area);
   if (!(square > 0)) return {};
   return {dot(cross(step, at.dv), area) / square, dot(cross(at.du, step), area) / square};
 }
 
-SurfaceFrame frame_at(const Handle(Geom_Surface) & surface, const Vec2& uv) {
+SurfaceJet frame_at(const Handle(Geom_Surface) & surface, const Vec2& uv) {
   gp_Pnt p;
   gp_Vec du, dv;
   surface->D1(uv[0], uv[1], p, du, dv);
@@ -126,11 +126,11 @@ Vec2 SurfaceProjector::foot(const Vec3& point, const std::optional<Vec2>& near) 
 // By Newton's method as long as it comes no further away.
 SurfaceProjector::Sharpened SurfaceProjector::sharpened(const Vec3& point, Vec2 uv,
                                                         int steps) const {
-  SurfaceFrame at = frame_at(surface_, uv);
+  SurfaceJet at = frame_at(surface_, uv);
   double gap = distance(at.point, point);
   for (int i = 0; i < steps; ++i) {
     const Vec2 next = bounded(uv + chart_step(at, point - at.point));
-    const SurfaceFrame there = frame_at(surface_, next);
+    const SurfaceJet there = frame_at(surface_, next);
     const double next_gap = distance(there.point, point);
     if (!(next_gap <= gap)) break;
     const bool settled = next_gap == gap || next == uv;
@@ -147,7 +147,7 @@ double SurfaceProjector::gap(const Vec3& point, const Vec2& uv) const {
 }
 
 double SurfaceProjector::clearance(const Vec3& point, const Vec2& uv) const {
-  const SurfaceFrame at = frame_at(surface_, uv);
+  const SurfaceJet at = frame_at(surface_, uv);
   double inside = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 2; ++k)
     if (period_[k] == 0)
@@ -165,7 +165,7 @@ const SurfacePole* SurfaceProjector::pole_at(const Vec3& point) const {
 }
 
 double SurfaceProjector::height(const Vec3& point) const {
-  const SurfaceFrame at = frame_at(surface_, foot(point, {}));
+  const SurfaceJet at = frame_at(surface_, foot(point, {}));
   return std::copysign(distance(point, at.point), dot(point - at.point, cross(at.du, at.dv)));
 }
 

@@ -14,18 +14,14 @@
 #include "core/base/work_limit.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
+#include "core/topology/face_trims.h"
 
 namespace blossom::occt {
 
-/// A point of a surface with its first derivatives.
-struct SurfaceFrame {
-  Vec3 point, du, dv;
-};
-
-SurfaceFrame frame_at(const Handle(Geom_Surface) & surface, const Vec2& uv);
+SurfaceJet frame_at(const Handle(Geom_Surface) & surface, const Vec2& uv);
 
 /// The steps of u and v along the tangent plane that come nearest to a step in space.
-Vec2 chart_step(const SurfaceFrame& at, const Vec3& step);
+Vec2 chart_step(const SurfaceJet& at, const Vec3& step);
 
 /// The second derivatives at a point of a surface.
 struct SurfaceBend {

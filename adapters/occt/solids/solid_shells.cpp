@@ -70,7 +70,7 @@ Corner corner_of(const EdgeUse& use, const TopoDS_Face& face) {
   curve->D1(middle, point, along);
   const gp_Pnt2d uv = chart_curve_of(use.edge, face, range)->Value(middle);
   const SurfaceProjector feet(face, Precision::Confusion());
-  const SurfaceFrame frame = frame_at(feet.surface(), {uv.X(), uv.Y()});
+  const SurfaceJet frame = frame_at(feet.surface(), {uv.X(), uv.Y()});
   const Vec3 direction = unit(Vec3{along.X(), along.Y(), along.Z()});
   const bool turned = (face.Orientation() == TopAbs_REVERSED) == use.forward;
   const Vec3 left = cross(unit(cross(frame.du, frame.dv)), direction);

@@ -52,7 +52,7 @@ Border border_of(const TopoDS_Face& face, TopTools_IndexedMapOfShape& edges) {
   return border;
 }
 
-Vec3 oriented_normal(const TopoDS_Face& face, const SurfaceFrame& at) {
+Vec3 oriented_normal(const TopoDS_Face& face, const SurfaceJet& at) {
   const Vec3 normal = cross(at.du, at.dv);
   return face.Orientation() == TopAbs_REVERSED ? -1.0 * normal : normal;
 }
@@ -67,8 +67,8 @@ std::optional<Lying> lying_on(const SolidPiece& piece, const gp_Pnt& point, cons
                               double tolerance) {
   const SurfaceProjector own(piece.face, tolerance), feet(other.face, tolerance);
   const Vec3 p = vec(point);
-  const SurfaceFrame at = frame_at(own.surface(), own.foot(p, {}));
-  const SurfaceFrame under = frame_at(feet.surface(), feet.foot(p, {}));
+  const SurfaceJet at = frame_at(own.surface(), own.foot(p, {}));
+  const SurfaceJet under = frame_at(feet.surface(), feet.foot(p, {}));
   const double gap = distance(p, under.point);
   if (gap > kLiesReach * tolerance) return std::nullopt;
   const double cosine = dot(oriented_normal(piece.face, at), oriented_normal(other.face, under));

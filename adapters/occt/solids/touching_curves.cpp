@@ -25,7 +25,7 @@ void look_beside(const IntersectionCurve& curve, const SurfaceProjector& on_a,
       std::max(kBeside * curve.length, kLeave * std::sqrt(tolerance * curve.length));
   for (const double part : {0.2, 0.5, 0.8}) {
     const double s = at(curve.curve.domain(), part);
-    const SurfaceFrame frame = frame_at(on_a.surface(), point_at(curve.chart_a, s));
+    const SurfaceJet frame = frame_at(on_a.surface(), point_at(curve.chart_a, s));
     const Vec3 across = cross(cross(frame.du, frame.dv), derivative_at(curve.curve, s));
     for (const double sign : {1.0, -1.0}) {
       const Vec3 aside = frame.point + (sign * step / norm(across)) * across;

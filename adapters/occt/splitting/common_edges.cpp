@@ -107,7 +107,7 @@ struct CrossedFaces {
   /// How far the curve may be from its place at a point: by the tolerances over the sine of the
   /// angle between the faces there, which may be as small as 0 at an end alone.
   double reach_at(const SurfacePoint& of) const {
-    const SurfaceFrame on_a = frame_at(a, of.uv_a), on_b = frame_at(b, of.uv_b);
+    const SurfaceJet on_a = frame_at(a, of.uv_a), on_b = frame_at(b, of.uv_b);
     const Vec3 normal_a = cross(on_a.du, on_a.dv), normal_b = cross(on_b.du, on_b.dv);
     const double size = norm(normal_a) * norm(normal_b);
     const double sine = size > 0 ? norm(cross(normal_a, normal_b)) / size : 1;

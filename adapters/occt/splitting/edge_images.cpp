@@ -85,7 +85,7 @@ CurveOnSurfaceJet CurveBeside::in_space(double t) const {
   gp_Pnt2d c;
   gp_Vec2d d;
   chart_->D1(t, c, d);
-  const SurfaceFrame own = frame_at(surface_, {c.X(), c.Y()});
+  const SurfaceJet own = frame_at(surface_, {c.X(), c.Y()});
   return {own.point, d.X() * own.du + d.Y() * own.dv, {}, {}};
 }
 
@@ -95,7 +95,7 @@ Vec3 CurveBeside::bend(double t) const {
   gp_Vec2d d, dd;
   chart_->D2(t, c, d, dd);
   const Vec2 uv{c.X(), c.Y()};
-  const SurfaceFrame own = frame_at(surface_, uv);
+  const SurfaceJet own = frame_at(surface_, uv);
   const SurfaceBend of = bend_at(surface_, uv);
   return dd.X() * own.du + dd.Y() * own.dv + d.X() * d.X() * of.uu + 2 * d.X() * d.Y() * of.uv +
          d.Y() * d.Y() * of.vv;
@@ -128,7 +128,7 @@ CurveOnSurfaceJet CurveBeside::pole_jet(const SurfacePole& pole, double t,
   jet.uv = beside;
   jet.uv[g] = pole.value;
   const auto along = [&] {
-    const SurfaceFrame frame = frame_at(feet_.surface(), jet.uv);
+    const SurfaceJet frame = frame_at(feet_.surface(), jet.uv);
     return g == 0 ? frame.du : frame.dv;
   };
   for (int i = 0; i < kNewtonSteps; ++i) {

@@ -16,7 +16,7 @@ namespace {
 constexpr double kStraight = 1e-6;  // radians: turns below take no handles but those of a line
 
 Vec3 in_space(const Handle(Geom_Surface) & surface, const Vec2& at, const Vec2& step) {
-  const SurfaceFrame frame = frame_at(surface, at);
+  const SurfaceJet frame = frame_at(surface, at);
   return step[0] * frame.du + step[1] * frame.dv;
 }
 

@@ -27,7 +27,7 @@ constexpr double kSameShare = 1e-9;  // of the way across a strip
 constexpr int kInsideSamples = 6;    // of a curve on a wall, to see whether it stays there
 
 Vec3 outward_normal(const RolledStrip& strip, double t, double w) {
-  const SurfaceFrame frame = frame_at(strip.surface, strip.chart(t, w));
+  const SurfaceJet frame = frame_at(strip.surface, strip.chart(t, w));
   return (strip.outward ? 1.0 : -1.0) * cross(frame.du, frame.dv);
 }
 

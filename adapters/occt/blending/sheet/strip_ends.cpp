@@ -174,7 +174,7 @@ void BlendSheet::cap_face(const HalfEdge& half, const Interval& part, int face,
 bool BlendSheet::keeps_after(const HalfEdge& half, int face, int edge, const EdgeThrough& through) {
   const RolledStrip& strip = strip_of(half).strip;
   const Vec2 uv = strip.chart(through.t, through.w);
-  const SurfaceFrame frame = frame_at(strip.surface, uv);
+  const SurfaceJet frame = frame_at(strip.surface, uv);
   const Vec3 across = strip.along_u ? frame.dv : frame.du;
   const double sign =
       strip.contacts[right_side(half)].w > strip.contacts[left_side(half)].w ? 1 : -1;

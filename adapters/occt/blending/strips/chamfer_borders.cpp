@@ -236,7 +236,7 @@ std::optional<BorderPoint> Chamfering::solved(
   const double enough =
       kConverged * (profile.distance[0] + profile.distance[1]) + kPointNoise * norm(origin);
   for (int i = 0; i < kNewtonSteps; ++i) {
-    const SurfaceFrame at = frame_at(surfaces[side], uv);
+    const SurfaceJet at = frame_at(surfaces[side], uv);
     const double g = dot(at.point - origin, across);
     const auto [h, gradient] = f(at.point);
     if (std::abs(g) + std::abs(h) <= enough) return BorderPoint{at.point, uv};
@@ -275,7 +275,7 @@ std::optional<std::array<BorderPoint, 2>> Chamfering::at_edge(double x) const {
   }
   std::array<BorderPoint, 2> found;
   for (const std::size_t k : {given, other}) {
-    const SurfaceFrame frame = frame_at(surfaces[k], charts[k]);
+    const SurfaceJet frame = frame_at(surfaces[k], charts[k]);
     const Vec3 step = origin + reach[k] * corners[k].inwards - frame.point;
     const Vec2 start = charts[k] + chart_step(frame, step);
     std::optional<BorderPoint> made;

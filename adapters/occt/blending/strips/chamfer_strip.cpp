@@ -189,7 +189,7 @@ bool set_round(const Chamfering& of, const Borders& borders, const gp_Circ& circ
 bool points_outwards(const Chamfering& of, const RolledStrip& strip) {
   const double x = at(of.domain, 0.5);
   const double w = 0.5 * (strip.contacts[0].w + strip.contacts[1].w);
-  const SurfaceFrame frame = frame_at(strip.surface, strip.chart(x, w));
+  const SurfaceJet frame = frame_at(strip.surface, strip.chart(x, w));
   const Vec3 out = of.body.corner(of.body.use(of.edge, true), x).normal +
                    of.body.corner(of.body.use(of.edge, false), x).normal;
   return dot(cross(frame.du, frame.dv), out) > 0;

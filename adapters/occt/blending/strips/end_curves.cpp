@@ -80,7 +80,7 @@ Interval widened(const Interval& of, double room) { return {of.from - room, of.t
 // Of a face's surface at the foot of a point.
 Vec3 normal_near(const TopoDS_Face& face, const Vec3& point) {
   const SurfaceProjector feet(face, Precision::Confusion());
-  const SurfaceFrame frame = frame_at(feet.surface(), feet.foot(point, std::nullopt));
+  const SurfaceJet frame = frame_at(feet.surface(), feet.foot(point, std::nullopt));
   return unit(cross(frame.du, frame.dv));
 }
 

@@ -37,7 +37,7 @@ struct StripFrame {
 };
 
 StripFrame frame_of(const RolledStrip& strip, double t, double w) {
-  const SurfaceFrame frame = frame_at(strip.surface, strip.chart(t, w));
+  const SurfaceJet frame = frame_at(strip.surface, strip.chart(t, w));
   if (strip.along_u) return {frame.point, frame.du, frame.dv};
   return {frame.point, frame.dv, frame.du};
 }

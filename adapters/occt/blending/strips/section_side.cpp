@@ -65,7 +65,7 @@ std::optional<FillSide> SectionOfStrip::exact() const {
 }
 
 SectionJet SectionOfStrip::jet(double x) const {
-  const SurfaceFrame frame = frame_at(strip_.surface, strip_.chart(t_, at(across_, x)));
+  const SurfaceJet frame = frame_at(strip_.surface, strip_.chart(t_, at(across_, x)));
   return {frame.point, sign_ * (strip_.along_u ? frame.du : frame.dv)};
 }
 
