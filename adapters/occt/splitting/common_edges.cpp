@@ -2,7 +2,6 @@
 #include "adapters/occt/splitting/common_edges.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -12,40 +11,20 @@
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <Geom_Plane.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <gp_Pln.hxx>
 
 #include "adapters/occt/base/points.h"
-#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
+#include "adapters/occt/splitting/edges_in_reach.h"
 #include "core/bounds/box_tree.h"
-#include "core/forms/curve_spans.h"
 #include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {
-
-// Of the angle between faces: below it they hardly cross. Double precision tells normals apart to
-// 1e-16, and the root of that where they come from differences.
-constexpr double kLeastSine = 1e-8;
-
-constexpr int kEvenPoints = 8;  // of a curve that may keep to edges
-
-std::vector<TopoDS_Edge> edges_of(const TopoDS_Face& face) {
-  TopTools_IndexedMapOfShape found;
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    if (it.Current().Orientation() != TopAbs_INTERNAL &&
-        !BRep_Tool::Degenerated(TopoDS::Edge(it.Current())))
-      found.Add(it.Current().Oriented(TopAbs_FORWARD));
-  std::vector<TopoDS_Edge> edges;
-  for (int i = 1; i <= found.Extent(); ++i) edges.push_back(TopoDS::Edge(found(i)));
-  return edges;
-}
 
 // Whether the vertices at the ends are the same ones, in either order.
 bool have_same_ends(const EdgeSplits& splits, const TopoDS_Edge& a, const TopoDS_Edge& b) {
@@ -61,118 +40,10 @@ bool has_overlap(const FaceIntersection& pair) {
                      [](const Place& place) { return place.kind == PlaceKind::Overlap; });
 }
 
-// Edges with boxes of all that is within reach of them.
-struct BoxedEdge {
-  TopoDS_Edge edge;
-  Box box;
-  double reach = 0;
-};
-
-template <class Reach>
-std::vector<BoxedEdge> boxed(const std::vector<TopoDS_Edge>& edges, const Reach& reach_of) {
-  std::vector<BoxedEdge> all;
-  for (const TopoDS_Edge& edge : edges) {
-    const RangedCurve of = curve_of(edge);
-    const double reach = reach_of(edge);
-    const CurveSpans spans = bezier_spans(of.curve, of.range, reach);
-    Box box;
-    for (const auto& span : spans.spans)
-      for (const Vec4& p : span.curve.points) {
-        const Vec3 x = projected(p);
-        box = joined(box, {x, x});
-      }
-    all.push_back({edge, widened(box, spans.error + kSampledMargin * reach), reach});
-  }
-  return all;
-}
-
 Box spline_box(const Spline& curve) {
   Box box;
   for (const Vec3& p : curve.points) box = joined(box, {p, p});
   return box;
-}
-
-bool is_near(const Vec3& point, const std::vector<BoxedEdge>& edges) {
-  return std::any_of(edges.begin(), edges.end(), [&](const BoxedEdge& each) {
-    return meet(each.box, {point, point}) &&
-           foot_on(curve_of(each.edge), pnt(point)).distance <= each.reach;
-  });
-}
-
-// Two faces that cross, each of which may be off by the tolerance.
-struct CrossedFaces {
-  Handle(Geom_Surface) a, b;
-  double tolerance = 0;
-
-  /// How far the curve may be from its place at a point: by the tolerances over the sine of the
-  /// angle between the faces there, which may be as small as 0 at an end alone.
-  double reach_at(const SurfacePoint& of) const {
-    const SurfaceJet on_a = frame_at(a, of.uv_a), on_b = frame_at(b, of.uv_b);
-    const Vec3 normal_a = cross(on_a.du, on_a.dv), normal_b = cross(on_b.du, on_b.dv);
-    const double size = norm(normal_a) * norm(normal_b);
-    const double sine = size > 0 ? norm(cross(normal_a, normal_b)) / size : 1;
-    return 2 * tolerance / std::max(sine, kLeastSine);
-  }
-};
-
-// Whether a curve is near one of the edges all along: at its samples, of which a straight one has
-// hardly more than its ends, and at points between them.
-bool keeps_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges,
-              const CrossedFaces& crossed) {
-  const auto is_along = [&](const SurfacePoint& x) {
-    if (is_near(x.point, edges)) return true;
-    if (curve.tangential) return false;
-    const double reach = crossed.reach_at(x);
-    return std::ranges::any_of(edges, [&](const BoxedEdge& each) {
-      return reach > each.reach && foot_on(curve_of(each.edge), pnt(x.point)).distance <= reach;
-    });
-  };
-  for (int i = 1; i < kEvenPoints && !edges.empty(); ++i) {
-    const double t = at(curve.curve.domain(), static_cast<double>(i) / kEvenPoints);
-    if (!is_along(
-            {point_at(curve.curve, t), point_at(curve.chart_a, t), point_at(curve.chart_b, t)}))
-      return false;
-  }
-  return !edges.empty() && std::ranges::all_of(curve.samples, is_along);
-}
-
-// A few points between the ends tell which curves may run along edges.
-bool may_keep_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges) {
-  const std::size_t last = curve.samples.size() - 1;
-  return is_near(curve.samples[last / 2].point, edges) ||
-         is_near(curve.samples[last / 4].point, edges) ||
-         is_near(curve.samples[3 * last / 4].point, edges);
-}
-
-// Whether some point of an edge, not its ends alone, is as near as that to what `height` measures.
-template <class Height>
-bool comes_near(const TopoDS_Edge& edge, double reach, const Height& height) {
-  const RangedCurve of = curve_of(edge);
-  return std::ranges::any_of(std::array{0.5, 0.25, 0.75}, [&](double part) {
-    return std::abs(height(of.curve->Value(at(of.range, part)))) <= reach;
-  });
-}
-
-// Whether an edge in which the surface of its face ends may lie on another one. The two surfaces
-// may miss each other there by rounding, and leave no curve. On other surfaces than planes only
-// seams are tried, since it takes time and most edges lie on none.
-template <class Reach>
-bool may_lie_on(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& of,
-                const TopoDS_Face& other, double tolerance, const Reach& reach) {
-  const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(other));
-  if (!plane.IsNull())
-    return std::ranges::any_of(edges, [&](const TopoDS_Edge& edge) {
-      return comes_near(edge, reach(edge),
-                        [&](const gp_Pnt& p) { return plane->Pln().Distance(p); });
-    });
-  std::optional<SurfaceProjector> feet;
-  return std::ranges::any_of(edges, [&](const TopoDS_Edge& edge) {
-    if (!BRep_Tool::IsClosed(edge, of)) return false;
-    if (!feet) feet.emplace(other, tolerance);
-    return comes_near(edge, reach(edge), [&](const gp_Pnt& p) {
-      return feet->height({p.X(), p.Y(), p.Z()});
-    });
-  });
 }
 
 }  // namespace
@@ -193,15 +64,16 @@ CommonEdges::CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<To
 void CommonEdges::add(const FaceIntersection& pair) {
   const auto face_a = static_cast<std::size_t>(pair.face_a);
   const auto face_b = static_cast<std::size_t>(pair.face_b);
-  const std::vector<TopoDS_Edge> of_a = edges_of(a_[face_a]), of_b = edges_of(b_[face_b]);
+  const std::vector<TopoDS_Edge> of_a = bounding_edges(a_[face_a]),
+                                 of_b = bounding_edges(b_[face_b]);
   const auto& curves = pair.found.curves;
   const auto any_along = [&](const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& of,
                              const TopoDS_Face& other) {
     const auto most = [this](const TopoDS_Edge& edge) { return most_reach(edge); };
     if (curves.empty()) return may_lie_on(edges, of, other, options_.tolerances.point, most);
-    const std::vector<BoxedEdge> near = boxed(edges, most);
+    const std::vector<EdgeInReach> near = edges_in_reach(edges, most);
     return std::any_of(curves.begin(), curves.end(),
-                       [&](const IntersectionCurve& curve) { return may_keep_to(curve, near); }) ||
+                       [&](const IntersectionCurve& curve) { return may_follow(curve, near); }) ||
            may_lie_on(edges, of, other, options_.tolerances.point, most);
   };
   const bool overlap = has_overlap(pair);
@@ -213,7 +85,7 @@ void CommonEdges::add_loose() {
   const auto loose_of = [this](const std::vector<TopoDS_Face>& faces) {
     TopTools_IndexedMapOfShape found;
     for (const TopoDS_Face& face : faces)
-      for (const TopoDS_Edge& edge : edges_of(face))
+      for (const TopoDS_Edge& edge : bounding_edges(face))
         if (most_reach(edge) > reach_) found.Add(edge);
     std::vector<TopoDS_Edge> edges;
     for (int i = 1; i <= found.Extent(); ++i) edges.push_back(TopoDS::Edge(found(i)));
@@ -319,7 +191,7 @@ void CommonEdges::touch(const FaceIntersection& pair, Of whose) {
   const TopoDS_Face& b = b_[static_cast<std::size_t>(pair.face_b)];
   const int face = whose == Of::A ? pair.face_b + 1 : -pair.face_a - 1;
   const auto plain = [this](const TopoDS_Edge&) { return reach_; };
-  for (const BoxedEdge& each : boxed(edges_of(whose == Of::A ? a : b), plain)) {
+  for (const EdgeInReach& each : edges_in_reach(bounding_edges(whose == Of::A ? a : b), plain)) {
     const bool reached =
         std::ranges::any_of(pair.found.curves, [&](const IntersectionCurve& curve) {
           return blossom::meet(each.box, spline_box(curve.curve));
@@ -344,7 +216,7 @@ void CommonEdges::touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of who
   const std::size_t blurred = blurs_.size();
   blur(edge, face, points);
   if (touches_.size() == known && blurs_.size() == blurred) return;
-  for (const TopoDS_Edge& border : edges_of(face))  // where it may touch as well
+  for (const TopoDS_Edge& border : bounding_edges(face))  // where it may touch as well
     whose == Of::A ? meet(edge, border) : meet(border, edge);
 }
 
@@ -378,9 +250,10 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
                       [&](const TopoDS_Edge& other) { return other.IsSame(edge); }))
         edges.push_back(edge);
   };
-  take(edges_of(b_[face_b]), in_a_[face_a]);
-  take(edges_of(a_[face_a]), in_b_[face_b]);
-  const auto near = boxed(edges, [this](const TopoDS_Edge& edge) { return this->reach(edge); });
+  take(bounding_edges(b_[face_b]), in_a_[face_a]);
+  take(bounding_edges(a_[face_a]), in_b_[face_b]);
+  const auto near =
+      edges_in_reach(edges, [this](const TopoDS_Edge& edge) { return this->reach(edge); });
   const CrossedFaces crossed{BRep_Tool::Surface(a_[face_a]), BRep_Tool::Surface(b_[face_b]),
                              options_.tolerances.point};
   std::vector<std::size_t> along;
@@ -392,7 +265,7 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
     return stands_for_contact(edges, curve, *on_a, *on_b, options_.tolerances.point);
   };
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i)
-    if (keeps_to(pair.found.curves[i], near, crossed) || is_contact_along(pair.found.curves[i]))
+    if (follows(pair.found.curves[i], near, crossed) || is_contact_along(pair.found.curves[i]))
       along.push_back(i);
   return along;
 }
