@@ -169,19 +169,6 @@ void print(const std::string& name, const FacePair& faces, std::size_t number, c
   std::fflush(stdout);
 }
 
-void keep(const std::string& folder, const std::string& name, const FacePair& faces,
-          std::size_t number) {
-  TopoDS_Compound both;
-  const BRep_Builder builder;
-  builder.MakeCompound(both);
-  builder.Add(both, faces.a);
-  builder.Add(both, faces.b);
-  const std::string file =
-      folder + "/" + name + "_" + faces.kind + "_" + std::to_string(number) + ".brep";
-  if (!::BRepTools::Write(both, file.c_str()))
-    std::fprintf(stderr, "%s cannot be written\n", file.c_str());
-}
-
 void run_file(const std::string& file, const PairSettings& settings, Summary& summary) {
   const occt::Model model = testing::repaired_model(file);
   std::vector<FacePair> pairs;

@@ -32,7 +32,6 @@
 
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -227,19 +226,6 @@ void print(const std::string& name, const FacePair& faces, std::size_t number, c
   if (both.ours.refused[0] != 0) std::printf("  REFUSED: %s", both.ours.refused.data());
   std::printf("\n");
   std::fflush(stdout);
-}
-
-void keep(const std::string& folder, const std::string& name, const FacePair& faces,
-          std::size_t number) {
-  TopoDS_Compound both;
-  const BRep_Builder builder;
-  builder.MakeCompound(both);
-  builder.Add(both, faces.a);
-  builder.Add(both, faces.b);
-  const std::string file =
-      folder + "/" + name + "_" + faces.kind + "_" + std::to_string(number) + ".brep";
-  if (!::BRepTools::Write(both, file.c_str()))
-    std::fprintf(stderr, "%s cannot be written\n", file.c_str());
 }
 
 std::vector<FacePair> pairs_of(const std::string& file, const PairSettings& settings) {

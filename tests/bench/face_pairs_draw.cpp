@@ -2,15 +2,19 @@
 #include "tests/bench/face_pairs_draw.h"
 
 #include <cmath>
+#include <cstdio>
 #include <set>
 #include <utility>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
 
@@ -100,6 +104,19 @@ std::vector<FacePair> draw_pairs(const TopoDS_Shape& model, std::uint64_t seed, 
     }
   }
   return pairs;
+}
+
+void keep(const std::string& folder, const std::string& name, const FacePair& faces,
+          std::size_t number) {
+  TopoDS_Compound both;
+  const BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, faces.a);
+  builder.Add(both, faces.b);
+  const std::string file =
+      folder + "/" + name + "_" + faces.kind + "_" + std::to_string(number) + ".brep";
+  if (!::BRepTools::Write(both, file.c_str()))
+    std::fprintf(stderr, "%s cannot be written\n", file.c_str());
 }
 
 }  // namespace blossom::bench

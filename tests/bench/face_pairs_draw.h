@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -22,5 +23,10 @@ struct FacePair {
 /// and moved by 6, 0.4 and 0.01 % of its size. The boxes of the faces of a pair meet. Free-form are
 /// B-spline and Bezier surfaces.
 std::vector<FacePair> draw_pairs(const TopoDS_Shape& model, std::uint64_t seed, int most);
+
+/// Writes a pair to a file of the folder that is named after the model and the pair; says so if
+/// that cannot be done.
+void keep(const std::string& folder, const std::string& name, const FacePair& faces,
+          std::size_t number);
 
 }  // namespace blossom::bench
