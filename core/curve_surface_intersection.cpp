@@ -5,7 +5,7 @@
 
 #include "core/base/errors.h"
 #include "core/curves/curve_closing.h"
-#include "core/curves/curve_surface_assembly.h"
+#include "core/curves/with_surfaces/curve_surface_assembly.h"
 
 namespace blossom {
 namespace {

@@ -116,6 +116,20 @@ TEST(FlatKnots, PeriodicUniformQuadraticHasMidpointsAsJoints) {
             0.5 * (curve.spans[0].curve.points[1] + curve.spans[1].curve.points[1]));
 }
 
+// At a knot of full multiplicity the curve goes through a control point; that of the first knot is
+// the first one, whichever its multiplicity.
+TEST(FlatKnots, PeriodicSplineBeginsAtTheLastCopyOfItsFirstKnot) {
+  const std::array knots{0.0, 1.0, 2.0};
+  const std::array multiplicities{2, 1, 2};
+  const std::vector<Vec4> poles{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
+  const FlatKnots flat(2, knots, multiplicities, true);
+  const CurveSpans curve = spline_spans(flat, flat.spans({0, 2}), poles);
+  ASSERT_EQ(curve.spans.size(), 2U);
+  EXPECT_EQ(curve.spans.front().curve.points.front(), poles[0]);
+  EXPECT_EQ(curve.spans.back().curve.points.back(), poles[0]);
+  EXPECT_EQ(curve.spans.front().curve.points[1], poles[1]);
+}
+
 TEST(SplinePatches, HaveThePointsOfTheirIsoCurves) {
   Random random = seeded(4);
   const std::array u_knots{0.0, 0.4, 1.0}, v_knots{-1.0, 0.0, 2.0};

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/curves/curve_in_surface.h"
+#include "core/curves/with_surfaces/curve_in_surface.h"
 #include "core/results/curve_surface_result.h"
 
 namespace blossom {

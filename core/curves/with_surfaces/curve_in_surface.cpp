@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/curves/curve_in_surface.h"
+#include "core/curves/with_surfaces/curve_in_surface.h"
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@
 #include "core/cells/cell_pair.h"
 #include "core/cells/cell_tree.h"
 #include "core/cells/curve_cells.h"
-#include "core/curves/curve_surface_valley.h"
+#include "core/curves/with_surfaces/curve_surface_valley.h"
 #include "core/forms/surface.h"
 #include "core/results/options.h"
 

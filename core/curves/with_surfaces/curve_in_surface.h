@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "core/curves/curve_surface_search.h"
+#include "core/curves/with_surfaces/curve_surface_search.h"
 
 namespace blossom {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/curves/curve_surface_valley.h"
+#include "core/curves/with_surfaces/curve_surface_valley.h"
 
 #include <algorithm>
 #include <cmath>
