@@ -250,8 +250,9 @@ class PairIntersector {
     if (&a == &b || !edges.empty()) return false;
     auto known = known_crossings(faces_a_.face(i), a, faces_b_.face(j), b, common_box(a, b), within,
                                  options_.tolerances.point);
-    if (known) found = *std::move(known);
-    return known.has_value();
+    if (!known) return false;
+    found = *std::move(known);
+    return true;
   }
 
   std::vector<Touch> clip_known(const FaceData& a, const FaceData& b,
