@@ -26,7 +26,7 @@ OCCT_ROOMS = """base convert faces faces/pairs tessellation queries splitting/ed
 REPORT_ROOMS = "text models cuts queries blends".split()
 
 STANDARD = r"<[a-z_0-9]+>"
-CORE_LIBRARIES = r"<(Eigen|tbb|oneapi/tbb|boost/multiprecision)/.*>|<immintrin\.h>"
+CORE_LIBRARIES = r"<(Eigen|tbb|oneapi/tbb|boost/multiprecision)/.*>|<immintrin\.h>|<pthread\.h>"
 MOST_HEADERS = 15
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*("[^"]+"|<[^>]+>)', re.MULTILINE)
