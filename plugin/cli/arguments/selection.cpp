@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include <TopExp.hxx>
@@ -15,6 +13,7 @@
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/output.h"
+#include "plugin/reports/models/entity_words.h"
 #include "plugin/reports/models/input.h"
 
 namespace blossom::cli {
@@ -23,28 +22,16 @@ namespace {
 using occt::AssemblyNode;
 using reports::given_name;
 
-std::optional<int> number_in(std::string_view text) {
-  int number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || number < 1) return {};
-  return number;
-}
-
 // "Face3": a kind and a number, whatever the case of the letters.
 struct Counted {
-  char kind = 0;  // f, e or s
+  std::string kind;  // face, edge or solid
   int number = 0;
 };
 
 std::optional<Counted> counted_in(const std::string& word) {
-  std::string small = word;
-  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* kind : {"face", "edge", "solid"}) {
-    const std::string_view of(kind);
-    if (!small.starts_with(of)) continue;
-    if (const auto number = number_in(std::string_view(small).substr(of.size())))
-      return Counted{kind[0], *number};
-  }
+  if (word.empty() || std::isalpha(static_cast<unsigned char>(word[0])) == 0) return std::nullopt;
+  for (const char* kind : {"face", "edge", "solid"})
+    if (const auto number = reports::entity_number(word, kind)) return Counted{kind, *number};
   return std::nullopt;
 }
 
@@ -60,7 +47,10 @@ class Selecting {
     const std::size_t colon = word.find(':');
     const std::string kind = word.substr(0, colon);
     const bool numbered = kind == "face" || kind == "edge" || kind == "solid";
-    if (colon != std::string::npos && numbered) return add_number(kind, word.substr(colon + 1));
+    if (colon != std::string::npos && numbered) {
+      if (const auto number = reports::entity_number(word, kind)) return add_number(kind, *number);
+      throw UsageError(model_.file().string() + ": '" + word + "' has no number");
+    }
     const bool part = kind == "part" && colon != std::string::npos;
     add_named(part ? word.substr(colon + 1) : word);
   }
@@ -72,17 +62,14 @@ class Selecting {
     throw occt::BadModel(model_.file().string() + ": " + why);
   }
 
-  void add_number(const std::string& kind, const std::string& text) {
-    const std::optional<int> number = number_in(text);
-    if (!number)
-      throw UsageError(model_.file().string() + ": '" + kind + ":" + text + "' has no number");
+  void add_number(const std::string& kind, int number) {
     const auto& all = kind == "solid" ? solids_ : kind == "edge" ? edges_ : faces_;
-    if (*number > all.Extent())
-      refuse("there is no " + kind + " " + text + " in it, it has " +
+    if (number > all.Extent())
+      refuse("there is no " + kind + " " + std::to_string(number) + " in it, it has " +
              counted(static_cast<std::size_t>(all.Extent()), kind));
-    if (kind == "solid") add_solid(*number);
-    if (kind == "edge") made_.edges.insert(*number);
-    if (kind == "face") made_.faces.insert(*number);
+    if (kind == "solid") add_solid(number);
+    if (kind == "edge") made_.edges.insert(number);
+    if (kind == "face") made_.faces.insert(number);
   }
 
   void add_solid(int number) {
@@ -107,7 +94,9 @@ class Selecting {
       for (const AssemblyNode* node : nodes) add_counted(*node, *which, name);
       return;
     }
-    if (!add_faces_called(word)) refuse_name(word);
+    if (add_faces_called(word)) return;
+    if (const auto of_all = counted_in(word)) return add_number(of_all->kind, of_all->number);
+    refuse_name(word);
   }
 
   // That are called so by the whole way; else by the end of it, or by a name of their own.
@@ -144,14 +133,14 @@ class Selecting {
                "', it has " + counted(numbers.size(), kind));
       return numbers[static_cast<std::size_t>(which.number) - 1];
     };
-    if (which.kind == 'f') made_.faces.insert(chosen(faces, "face"));
-    if (which.kind == 's') add_solid(chosen(solids, "solid"));
-    if (which.kind != 'e') return;
+    if (which.kind == "face") made_.faces.insert(chosen(faces, which.kind));
+    if (which.kind == "solid") add_solid(chosen(solids, which.kind));
+    if (which.kind != "edge") return;
     TopTools_IndexedMapOfShape own;
     for (const int face : faces) TopExp::MapShapes(faces_(face), TopAbs_EDGE, own);
     std::vector<int> edges;
     for (int i = 1; i <= own.Extent(); ++i) edges.push_back(edges_.FindIndex(own(i)));
-    made_.edges.insert(chosen(edges, "edge"));
+    made_.edges.insert(chosen(edges, which.kind));
   }
 
   bool add_faces_called(const std::string& word) {

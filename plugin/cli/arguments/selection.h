@@ -26,6 +26,7 @@ struct Selection {
 ///   part:12                  a part with a name that is a number
 ///   face:3, solid:2, edge:12       by the numbers of `info`
 ///   TopFace                  a face with a name of its own, if there is no such part
+///   Face3, Edge12, Solid2    the same as face:3, edge:12, solid:2, if nothing is called so
 ///
 /// throws   occt::BadModel, with the nearest names, if there is none; UsageError if a number is
 /// none

@@ -16,7 +16,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   app.footer(
       "An input is FILE, or something in it: faces FILE#3,5-9 (numbers as in 'info'), parts "
       "FILE#Shaft,\n"
-      "FILE#Shaft/Face3, FILE#solid:2 or FILE#edge:12.\n");
+      "FILE#Shaft/Face3, FILE#Face3, FILE#Solid2 or FILE#Edge12.\n");
 
   add_info(app, exit_code);
   add_check(app, exit_code);

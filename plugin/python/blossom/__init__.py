@@ -67,7 +67,7 @@ from ._queries import (
 )
 from ._results import Result
 from ._sections import PartSection, PlaneSection, Section, SectionCurve, Sections, Wire
-from ._shapes import spline_model
+from ._shapes import core_of_file, spline_model
 from ._triangles import (
     MeshCheck,
     MeshDistance,
@@ -162,7 +162,8 @@ __all__ = [
 def read(path: FileName, faces: Any = None, strict: bool = False, **options: Any) -> Model:
     """Reads a STEP, IGES or BREP file, told by its content.
 
-    faces    numbers of the faces that count; None is all
+    path     perhaps with faces of it, as in "part.step#3,5-9" or "part.step#Face3"
+    faces    the same: numbers of the faces that count, or "Face3"; None is all
     strict   a file of which shapes are missing is refused
     """
     if not isinstance(path, (str, os.PathLike)):
@@ -170,7 +171,8 @@ def read(path: FileName, faces: Any = None, strict: bool = False, **options: Any
             f"path: a str or a Path is wanted, got {_checks.kind(path)}; shape() takes shapes"
         )
     file = _checks.path(path, "path")
-    model = Model(_core.read_file(file, _checks.flag(strict, "strict"), _checks.control(options)))
+    read_as = _checks.flag(strict, "strict"), _checks.control(options)
+    model = Model(core_of_file(file, "path", *read_as))
     return model if faces is None else model.part(faces)
 
 

@@ -6,6 +6,7 @@ import json
 import math
 import numbers
 import os
+import re
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
@@ -84,9 +85,9 @@ def border(value: Any, name: str) -> str:
     """A border of a face: one of SIDES, the number of an edge, or None; as text, empty for None."""
     if value is None:
         return ""
-    if isinstance(value, str):
+    if isinstance(value, str) and _entity_number(value, "edge") is None:
         return word(value, name, SIDES)
-    return str(whole(value, name, 1))
+    return str(entity(value, name, "edge"))
 
 
 def text(value: Any, name: str) -> str:
@@ -139,15 +140,54 @@ def planes(value: Any, name: str) -> List[Tuple[Triple, Triple]]:
     return [(vector(p, f"{name}, point"), vector(n, f"{name}, normal")) for p, n in listed]
 
 
+_ENTITY = re.compile(r"(face|edge):?([1-9]\d{0,8})", re.IGNORECASE)
+
+
+def _entity_number(word: str, noun: str) -> Optional[int]:
+    found = _ENTITY.fullmatch(word)
+    return int(found[2]) if found and found[1].lower() == noun else None
+
+
+def entity(value: Any, name: str, noun: str) -> int:
+    """The number of a face or an edge, or a word for it: "Face3", "edge:12"."""
+    if not isinstance(value, str):
+        return whole(value, name, 1)
+    number = _entity_number(value, noun)
+    if number is None:
+        raise ValueError(f"{name}: '{value}' is no {noun}, such as 3 or '{noun.capitalize()}3'")
+    return number
+
+
 def numbers_of(value: Any, name: str, noun: str) -> List[int]:
     """Numbers of faces or edges, each once, in increasing order."""
     try:
-        listed = [whole(each, name, 1) for each in value]
+        listed = [entity(each, name, noun) for each in _in_list(value)]
     except TypeError as error:
         if str(error).startswith(f"{name}:"):
             raise
         raise TypeError(f"{name}: a list of {noun} numbers is wanted, got {kind(value)}") from None
     return sorted(set(listed))
+
+
+def _in_list(value: Any) -> Any:
+    return [value] if isinstance(value, str) else value
+
+
+_FACE_RANGE = re.compile(r"([1-9]\d{0,8})-([1-9]\d{0,8})")
+
+
+def chosen_faces(text: str, name: str, count: int) -> List[int]:
+    """Of "3,5-9,Face12", what an input of the command line has after its '#', of so many faces."""
+    made: List[int] = []
+    for entry in text.split(","):
+        if found := _FACE_RANGE.fullmatch(entry):
+            first, last = int(found[1]), int(found[2])
+        else:
+            first = last = entity(int(entry) if entry.isdecimal() else entry, name, "face")
+        if last > count:
+            raise ValueError(f"{name}: there is no face {last} in it, it has {count}")
+        made.extend(range(first, last + 1))
+    return sorted(set(made))
 
 
 def smoothness(value: Any, name: str, edges: int) -> List[str]:
@@ -330,7 +370,7 @@ def facets(
 
 def edges(value: Any, name: str) -> Tuple[List[int], str]:
     """Numbers of edges, or a word for them; what is not meant is empty."""
-    if isinstance(value, str):
+    if isinstance(value, str) and _entity_number(value, "edge") is None:
         return [], word(value, name, EDGE_WORDS)
     return numbers_of(value, name, "edge"), ""
 

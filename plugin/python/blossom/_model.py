@@ -16,7 +16,7 @@ from ._sections import Section, Sections
 FileName = Union[str, "os.PathLike[str]"]
 Radius = Union[float, Tuple[float, float]]
 # Of all edges, or of edges by number, of those without by None; laws are mappings, too.
-Radii = Union[Radius, Mapping[Optional[int], Union[Radius, Mapping[str, Any]]]]
+Radii = Union[Radius, Mapping[Union[int, str, None], Union[Radius, Mapping[str, Any]]]]
 
 
 class Model(_results.MadeShape):
@@ -98,12 +98,12 @@ class Model(_results.MadeShape):
     def __reduce__(self) -> Any:
         return (_from_brep, (self.name, self.to_brep()))
 
-    def face(self, number: int) -> "Model":
-        """One face, by its number from 1 on, which it keeps."""
+    def face(self, number: Union[int, str]) -> "Model":
+        """One face, by its number from 1 on, which it keeps; or "Face3"."""
         return self.part([number])
 
     def part(self, numbers: Any) -> "Model":
-        """Some faces, by their numbers; they share the model."""
+        """Some faces, by their numbers, or as "Face3"; they share the model."""
         listed = _checks.face_numbers(numbers, "numbers")
         name = f"{self.name}#{','.join(map(str, listed))}"
         return Model(self._core.part(listed, name))

@@ -38,7 +38,7 @@ def _core_model(shape: Any, name: str) -> _core.Model:
     if isinstance(shape, str) and _BREP_TEXT.match(shape):
         return _core.read_bytes(shape.encode(), name)
     if isinstance(shape, (str, os.PathLike)):
-        return _core.read_file(_checks.path(shape, name), False, _checks.control({}))
+        return core_of_file(_checks.path(shape, name), name, False, _checks.control({}))
     if isinstance(shape, np.ndarray) or hasattr(shape, "__array_interface__"):
         return net_model(shape, name)
     if hasattr(shape, "exportBinary") and hasattr(shape, "isNull"):
@@ -47,6 +47,15 @@ def _core_model(shape: Any, name: str) -> _core.Model:
     if exported is not None:
         return _core.read_bytes(exported, name)
     raise TypeError(f"{name}: {_WANTED}, got {_checks.kind(shape)}")
+
+
+def core_of_file(path: str, name: str, strict: bool, control: _core.Control) -> _core.Model:
+    """The model of a file, or of faces in it: "part.step#3,5-9"; a file that is called so wins."""
+    file, mark, faces = path.rpartition("#")
+    if not mark or os.path.exists(path) or not os.path.exists(file):
+        return _core.read_file(path, strict, control)
+    model = _core.read_file(file, strict, control)
+    return model.part(_checks.chosen_faces(faces, name, model.face_count), path)
 
 
 def net_model(net: Any, name: str) -> _core.Model:

@@ -2,14 +2,13 @@
 #include "plugin/reports/blends/blend_words.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <system_error>
 #include <vector>
 
 #include "core/base/errors.h"
+#include "plugin/reports/models/entity_words.h"
 #include "plugin/reports/text/json.h"
 #include "plugin/reports/text/nesting.h"
 
@@ -62,15 +61,13 @@ occt::EdgeRadius edge_radius(const std::string& word) {
 
 void choose_edge(const std::string& word, EdgeChoice& choice) {
   const auto with_radius = parted(word, ":");
-  const std::string& number = with_radius ? (*with_radius)[0] : word;
-  int edge = 0;
-  const char* const end = number.data() + number.size();
-  const auto read = std::from_chars(number.data(), end, edge);
-  if (read.ec != std::errc() || read.ptr != end)
-    throw InvalidInput("\"" + word + "\" is no edge: 12, or 12:5 with a radius, is wanted");
-  choice.edges.push_back(edge);
-  if (with_radius && !choice.own.emplace(edge, edge_radius((*with_radius)[1])).second)
-    throw InvalidInput("edge " + number + " has two radii");
+  const std::optional<int> edge = entity_number(with_radius ? (*with_radius)[0] : word, "edge");
+  if (!edge)
+    throw InvalidInput("\"" + word +
+                       "\" is no edge: 12 or Edge12, or 12:5 with a radius, is wanted");
+  choice.edges.push_back(*edge);
+  if (with_radius && !choice.own.emplace(*edge, edge_radius((*with_radius)[1])).second)
+    throw InvalidInput("edge " + std::to_string(*edge) + " has two radii");
 }
 
 RadiusLaw radius_law(const std::string& json) {

@@ -25,7 +25,7 @@ struct EdgeChoice {
   std::map<int, occt::EdgeRadius> own{};
 };
 
-/// "12", "12:5" with a radius of its own, or "12:2..5".
+/// "12" or "Edge12", "12:5" with a radius of its own, or "12:2..5".
 /// throws   InvalidInput if it is none of these, or the edge has another radius already
 void choose_edge(const std::string& word, EdgeChoice& choice);
 

@@ -2,9 +2,8 @@
 #include "plugin/reports/blends/strip.h"
 
 #include <algorithm>
-#include <charconv>
+#include <optional>
 #include <set>
-#include <system_error>
 
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -12,6 +11,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
+#include "plugin/reports/models/entity_words.h"
 #include "plugin/reports/models/repairs.h"
 
 namespace blossom::reports {
@@ -65,13 +65,11 @@ occt::StripStart strip_start(const TopoDS_Shape& model, const TopoDS_Face& face,
   for (const SurfaceSide side :
        {SurfaceSide::UMin, SurfaceSide::UMax, SurfaceSide::VMin, SurfaceSide::VMax})
     if (border == to_string(side)) return {.side = side};
-  int number = 0;
-  const char* const last = border.data() + border.size();
-  const auto [end, error] = std::from_chars(border.data(), last, number);
-  if (error != std::errc() || end != last)
+  const std::optional<int> number = entity_number(border, "edge");
+  if (!number)
     throw InvalidInput("a border is umin, umax, vmin, vmax or the number of an edge, not '" +
                        border + "'");
-  return {.edge = edge_numbered(model, face, name, number)};
+  return {.edge = edge_numbered(model, face, name, *number)};
 }
 
 std::string start_text(const TopoDS_Shape& model, const occt::StripStart& start) {

@@ -24,6 +24,12 @@ using nlohmann::json;
 using testing::blossom;
 using testing::Finished;
 
+void write_unnamed(const TopoDS_Shape& shape, const std::filesystem::path& file) {
+  occt::Model model;
+  model.add(shape, "");
+  occt::write_model(model, file);
+}
+
 class Selectors : public ::testing::Test {
  protected:
   // A plate of six faces, a shaft of three that goes through it, and a lid above both.
@@ -61,6 +67,48 @@ TEST_F(Selectors, NamePartsSolidsAndFacesOfParts) {
   EXPECT_EQ(faces_of("Shaft/Face3"), (std::vector{9}));
   EXPECT_EQ(faces_of("face:4"), (std::vector{4}));
   EXPECT_EQ(faces_of("Lid/face1,2,Shaft/Solid1"), (std::vector{2, 7, 8, 9, 10}));
+}
+
+TEST_F(Selectors, NameEntitiesAsOtherProgramsDo) {
+  EXPECT_EQ(faces_of("Face3"), (std::vector{3}));
+  EXPECT_EQ(faces_of("face12,Shaft/Face3,Solid1"), (std::vector{1, 2, 3, 4, 5, 6, 9, 12}));
+  const auto nearest = [&](const char* edge) {
+    return report({"query", "point", file_ + "#" + edge, "--at", "0,0,0"})["distance"];
+  };
+  EXPECT_EQ(nearest("Edge2"), nearest("edge:2"));
+  occt::Model named;
+  named.add(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), "A");
+  named.add(BRepPrimAPI_MakeBox(gp_Pnt(2, 0, 0), 1, 1, 1).Shape(), "Face3");
+  occt::write_model(named, folder_ / "named.step");
+  file_ = folder_ / "named.step";
+  EXPECT_EQ(faces_of("Face3").front(), 7);  // what is called so goes first
+  EXPECT_EQ(faces_of("face:3"), (std::vector{3}));
+}
+
+TEST_F(Selectors, ServeModelsWithoutNames) {
+  write_unnamed(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), folder_ / "unnamed.step");
+  file_ = folder_ / "unnamed.step";
+  EXPECT_EQ(faces_of("Face3"), (std::vector{3}));
+  EXPECT_EQ(faces_of("Solid1").size(), 6u);
+  const Finished missing = blossom({"info", file_ + "#Face9"});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_NE(missing.err.find("there is no face 9 in it, it has 6 faces"), std::string::npos)
+      << missing.err;
+}
+
+TEST_F(Selectors, NameEdgesAndFacesOfBlends) {
+  const std::string box = folder_ / "box.step";
+  write_unnamed(BRepPrimAPI_MakeBox(9, 9, 9).Shape(), box);
+  const auto edges_of = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"blend", "fillet", box});
+    words.insert(words.end(), {"--radius", "1"});
+    return report(words)["edges"].dump();
+  };
+  EXPECT_EQ(edges_of({"--edge", "Edge2,edge3"}), edges_of({"--edge", "2,3"}));
+  EXPECT_EQ(edges_of({"--between", "Face1,Face3"}), edges_of({"--between", "1,3"}));
+  EXPECT_EQ(blossom({"blend", "fillet", box, "--edge", "Edge2:1"}).code, 0);
+  EXPECT_EQ(blossom({"blend", "strip", box + "#Face1", box + "#Face2", "--edge-a", "Edge1"}).code,
+            blossom({"blend", "strip", box + "#1", box + "#2", "--edge-a", "1"}).code);
 }
 
 TEST_F(Selectors, NameSolidsWithAnInside) {

@@ -50,6 +50,24 @@ class Reading(unittest.TestCase):
         found = part.section((0, 0, 10), (0, 0, 1)).to_dict()
         self.assertLessEqual({curve["on"]["number"] for curve in found["curves"]}, {3, 5})
 
+    def test_faces_and_edges_are_named_as_other_programs_do(self):
+        for named in (f"{BLOCK}#Face3,5", f"{BLOCK}#face:3,Face5", f"{BLOCK}#5,3-3"):
+            self.assertEqual(blossom.read(named).face_numbers, [3, 5])
+        self.assertEqual(blossom.read(BLOCK, faces="Face3").face_numbers, [3])
+        self.assertEqual(blossom.read(BLOCK, faces=["Face3", 4]).face_numbers, [3, 4])
+        self.assertEqual(blossom.read(BLOCK).face("Face3").name, f"{BLOCK}#3")
+        self.assertAlmostEqual(blossom.distance(f"{BLOCK}#Face1", f"{BLOCK}#Face2").distance, 60)
+        block = blossom.read(BLOCK)
+        for edges in ("Edge3", ["Edge3"], ["edge:3"]):
+            self.assertEqual(block.fillet(edges, radius=2).volume, block.fillet([3], radius=2).volume)
+        self.assertEqual(block.fillet(radius={"Edge3": 2}).volume, block.fillet([3], radius=2).volume)
+        with self.assertRaisesRegex(ValueError, "^path: 'Shaft' is no face, such as 3 or 'Face3'$"):
+            blossom.read(f"{BLOCK}#Shaft")
+        with self.assertRaisesRegex(ValueError, "^path: there is no face 999999999 in it, it has 6$"):
+            blossom.read(f"{BLOCK}#1-999999999")
+        with self.assertRaisesRegex(ValueError, "^numbers: 'Edge3' is no face"):
+            block.part(["Edge3"])
+
     def test_what_cannot_be_read_is_told(self):
         with self.assertRaisesRegex(ValueError, "none.step"):
             blossom.read(FILES / "none.step")

@@ -2,7 +2,6 @@
 // `blossom blend KIND ...`: surfaces between surfaces.
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <memory>
 #include <sstream>
@@ -22,6 +21,7 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/reports/blends/strip.h"
+#include "plugin/reports/models/entity_words.h"
 
 namespace blossom::cli {
 namespace {
@@ -119,12 +119,10 @@ CLI::Validator border_word() {
   return {[](const std::string& word) -> std::string {
             for (const char* const side : {"umin", "umax", "vmin", "vmax"})
               if (word == side) return {};
-            const bool number = !word.empty() && word.size() < 9 &&
-                                std::all_of(word.begin(), word.end(),
-                                            [](unsigned char c) { return std::isdigit(c) != 0; });
-            return number ? ""
-                          : "takes umin, umax, vmin, vmax or the number of an edge, not '" + word +
-                                "'";
+            return reports::entity_number(word, "edge")
+                       ? ""
+                       : "takes umin, umax, vmin, vmax or the number of an edge, not '" + word +
+                             "'";
           },
           "", "border"};
 }

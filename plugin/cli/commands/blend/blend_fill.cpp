@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/commands/blend/blend_fill.h"
 
-#include <charconv>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <CLI/Config.hpp>
@@ -21,6 +20,7 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/reports/blends/fill.h"
+#include "plugin/reports/models/entity_words.h"
 
 namespace blossom::cli {
 namespace {
@@ -46,11 +46,9 @@ std::vector<std::string> parts_of(const std::string& list) {
 std::vector<int> edges_of(const std::string& list) {
   std::vector<int> edges;
   for (const std::string& part : parts_of(list)) {
-    int number = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
-    if (error != std::errc() || end != part.data() + part.size())
-      throw UsageError("--edges takes numbers of edges, as 3,7,9, not '" + part + "'");
-    edges.push_back(number);
+    const std::optional<int> number = reports::entity_number(part, "edge");
+    if (!number) throw UsageError("--edges takes numbers of edges, as 3,7,9, not '" + part + "'");
+    edges.push_back(*number);
   }
   return edges;
 }

@@ -35,6 +35,7 @@
 #include "plugin/cli/process/progress.h"
 #include "plugin/reports/blends/blend_words.h"
 #include "plugin/reports/blends/fillet.h"
+#include "plugin/reports/models/entity_words.h"
 
 namespace blossom::cli {
 namespace {
@@ -219,6 +220,16 @@ int run(const FilletCommand& command) {
   return stated_exit_code(timed.made.refused.empty() ? kExitComplete : kExitTolerance);
 }
 
+// Writes "Face3" as the number that it means.
+CLI::Validator face_word() {
+  return {[](std::string& word) -> std::string {
+            if (const auto number = reports::entity_number(word, "face"))
+              word = std::to_string(*number);
+            return {};
+          },
+          "", "face"};
+}
+
 // What both commands have in common.
 CLI::App* add_edges_command(CLI::App& blend, const char* name, const char* about,
                             const char* about_edges,
@@ -231,6 +242,7 @@ CLI::App* add_edges_command(CLI::App& blend, const char* name, const char* about
            {"all", "convex", "concave"});
   command->add_option("--between", options->between, "the edges that two faces have in common")
       ->delimiter(',')
+      ->transform(face_word())
       ->type_name("A,B");
   command->add_flag("--partial", options->partial,
                     "do the edges that can be done, and name the others, instead of all or none");
