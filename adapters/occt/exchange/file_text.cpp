@@ -124,6 +124,7 @@ std::optional<Format> format_of_content(std::string_view text) {
 
 FileText file_text(const std::filesystem::path& file) {
   auto [text, cut, name, others] = unpacked(bytes_of(file));
+  narrow_letters(text);
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   if (std::ranges::all_of(text, is_blank)) throw BadModel("is empty");
   const std::optional<Format> format = format_of_content(text);

@@ -30,7 +30,8 @@ struct Unpacked {
   std::vector<std::string> others = {};  ///< the names of other models in the archive
 };
 
-/// Reads a file, unpacks it if it is packed by gzip or zip, and finds its format. A zip archive
+/// Reads a file, unpacks it if it is packed by gzip or zip, makes UTF-8 of wider letters, and finds
+/// its format. A zip archive
 /// gives the first model in it.
 /// throws   BadModel with the cause, without the file's name, if it is no regular file, cannot be
 ///          read, is empty, larger than the memory, damaged in its packing or of no known format
@@ -48,6 +49,10 @@ bool is_binary_brep(std::string_view text);
 /// Unpacks gzip or the first model of a zip archive; other bytes stay as they are.
 /// throws   BadModel with the cause
 Unpacked unpacked(std::string bytes);
+
+/// Makes UTF-8 of UTF-16 and UTF-32, which are told by a byte-order mark or their first letters;
+/// halves of letters become U+FFFD. Other bytes stay as they are.
+void narrow_letters(std::string& bytes);
 
 /// White space by C's locale, or the 0 that files are padded with.
 bool is_blank(char c);

@@ -134,6 +134,7 @@ Unpacked first_model(std::string_view bytes) {
   for (const Entry& entry : entries_of(bytes)) {
     if (entry.name.ends_with('/')) continue;
     Unpacked content = content_of(bytes, entry);
+    narrow_letters(content.text);
     if (!format_of_content(content.text)) continue;
     if (first) {
       first->others.emplace_back(entry.name);

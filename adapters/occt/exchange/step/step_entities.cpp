@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <unordered_map>
@@ -127,6 +128,51 @@ bool has_large_numbers(std::string_view text) {
   return false;
 }
 
+// --- scopes
+
+/// The place of the last "#12=" of a text, behind which nothing but blanks stands; its end if there
+/// is none.
+std::size_t head_at_end(std::string_view text) {
+  const std::size_t sharp = text.rfind('#'), sign = text.rfind('=');
+  const bool head = sharp != kNowhere && sign != kNowhere && sharp < sign &&
+                    std::ranges::all_of(text.substr(sign + 1), is_blank);
+  return head ? sharp : text.size();
+}
+
+/// Behind "ENDSCOPE" and the list of what it exports, "/#2,#3/".
+std::size_t behind_exports(std::string_view text, std::size_t place) {
+  place = behind_blanks(text, place);
+  if (place >= text.size() || text[place] != '/') return place;
+  const std::size_t end = text.find('/', place + 1);
+  return end == kNowhere ? text.size() : end + 1;
+}
+
+// --- entities with one number
+
+/// Whether numbers of "#12=", which may stand in strings, ever repeat.
+bool may_repeat(std::string_view text) {
+  std::vector<std::string_view> all;
+  for (std::size_t sign = text.find('='); sign != kNowhere; sign = text.find('=', sign + 1)) {
+    std::size_t end = sign;
+    while (end > 0 && is_blank(text[end - 1])) --end;
+    std::size_t begin = end;
+    while (begin > 0 && is_number(text[begin - 1])) --begin;
+    if (begin > 0 && begin < end && text[begin - 1] == '#')
+      all.push_back(digits_of(text, begin, end));
+  }
+  const auto before = [](std::string_view a, std::string_view b) {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
+  };
+  if (!std::ranges::is_sorted(all, before)) std::ranges::sort(all, before);
+  return std::ranges::adjacent_find(all) != all.end();
+}
+
+std::string without_blanks(std::string_view text) {
+  std::string shorter;
+  std::ranges::copy_if(text, std::back_inserter(shorter), [](char c) { return !is_blank(c); });
+  return shorter;
+}
+
 }  // namespace
 
 bool has_small_keywords(std::string_view text) {
@@ -145,6 +191,76 @@ void sort_complex_entities(std::string& text) {
     if (text[place] != '(') return;
     if (std::vector<ComplexPart> parts = parts_at(text, place); !parts.empty())
       sort_parts(text, std::move(parts));
+  });
+}
+
+void open_scopes(std::string& text) {
+  if (text.find("&SCOPE") == kNowhere) return;
+  std::string opened;
+  std::vector<std::string> heads;
+  for (std::size_t place = 0; place < text.size();) {
+    if (const std::size_t behind = behind_quoted(text, place); behind > place) {
+      opened.append(text, place, behind - place);
+      place = behind;
+    } else if (has_word(text, place, "&SCOPE")) {
+      const std::size_t head = head_at_end(opened);
+      heads.push_back(opened.substr(head));
+      opened.resize(head);
+      place += std::string_view("&SCOPE").size();
+    } else if (!heads.empty() && has_word(text, place, "ENDSCOPE")) {
+      place = behind_exports(text, place + std::string_view("ENDSCOPE").size());
+      opened += heads.back();
+      heads.pop_back();
+    } else {
+      opened += text[place++];
+    }
+  }
+  text = std::move(opened);
+}
+
+void fill_empty_lists(std::string& text) {
+  std::vector<std::size_t> places;
+  for_each_entity(text, [&](std::size_t place) {
+    if (!has_word(text, place, "SURFACE_CURVE") && !has_word(text, place, "SEAM_CURVE") &&
+        !has_word(text, place, "INTERSECTION_CURVE"))
+      return;
+    const std::size_t open = text.find('(', place), end = behind_parenthesis(text, open);
+    for (std::size_t at = open + 1; end != kNowhere && at < end;) {
+      const std::size_t behind = behind_quoted(text, at);
+      if (text[at] == '(' && text[behind_blanks(text, at + 1)] == ')') places.push_back(at + 1);
+      at = std::max(behind, at + 1);
+    }
+  });
+  if (places.empty()) return;
+  std::string filled;
+  std::size_t done = 0;
+  for (const std::size_t place : places) {
+    filled.append(text, done, place - done) += '$';
+    done = place;
+  }
+  filled.append(text, done);
+  text = std::move(filled);
+}
+
+void drop_repeated_entities(std::string& text, ReadingReport& report) {
+  if (!may_repeat(text)) return;
+  std::unordered_map<std::string_view, std::string> first;
+  for_each_number(text, [&](std::size_t begin, std::size_t end) {
+    const std::size_t sign = behind_blanks(text, end);
+    if (sign >= text.size() || text[sign] != '=') return;
+    const std::size_t last = std::min(semicolon_from(text, sign), text.size() - 1);
+    const std::string_view number = digits_of(text, begin, end);
+    const std::string_view entity = std::string_view(text).substr(sign, last - sign);
+    const auto [known, is_new] = first.try_emplace(number, without_blanks(entity));
+    if (is_new) return;
+    if (known->second != without_blanks(entity))
+      report.add({"entity number",
+                  "several entities have it, and the first is taken",
+                  true,
+                  1,
+                  {"#" + std::string(number)}});
+    std::fill(text.begin() + static_cast<std::ptrdiff_t>(begin - 1),
+              text.begin() + static_cast<std::ptrdiff_t>(last + 1), ' ');
   });
 }
 

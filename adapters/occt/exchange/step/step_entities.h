@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "adapters/occt/reading.h"
+
 namespace blossom::occt {
 
 /// Whether keywords of entities have small letters: "#1=Point(...)", "#1=(named_unit(*)...)".
@@ -16,6 +18,19 @@ bool has_small_keywords(std::string_view text);
 /// 10303-21 has them: Open CASCADE finds no value in others, the factor of an inch, say. The text
 /// keeps its length.
 void sort_complex_entities(std::string& text);
+
+/// Writes entities that others have in a scope, "#1=&SCOPE #2=A(); ENDSCOPE B();", before these:
+/// Open CASCADE crashes on scopes, which only the first edition of ISO 10303-21 has. What a scope
+/// exports is dropped.
+void open_scopes(std::string& text);
+
+/// Puts "$" into empty lists of the parameter curves of curves on surfaces, on which Open CASCADE
+/// crashes. With "$" it uses the curves in space, and says that something is missing.
+void fill_empty_lists(std::string& text);
+
+/// Makes blanks of entities with a number that one before them has. Unless they are the same, this
+/// is a loss of shape.
+void drop_repeated_entities(std::string& text, ReadingReport& report);
 
 /// Numbers entities anew, from 1 in the order in which the text has them, if a number is beyond
 /// 2^31 - 1: Open CASCADE crashes on these. Messages then have the new numbers.

@@ -172,6 +172,9 @@ void mend_step_text(std::string& text, ReadingReport& report) {
     capitalize(text, Letters::Exponents);
   code_letters(text);
   mend_step_sections(text);
+  open_scopes(text);
+  drop_repeated_entities(text, report);
+  fill_empty_lists(text);
   sort_complex_entities(text);
   renumber_large_entities(text);
 }

@@ -124,6 +124,27 @@ TEST_P(EveryFormat, HasLineEndsOfAnySystem) {
   EXPECT_EQ(faces_of(file()), 18);
 }
 
+/// Text in UTF-16 or UTF-32: so many bytes a letter, the least first or last.
+std::string wide(const std::string& text, std::size_t bytes, bool least_first, bool mark) {
+  std::string made;
+  const auto put = [&](unsigned code) {
+    for (std::size_t i = 0; i < bytes; ++i)
+      made += static_cast<char>(code >> 8 * (least_first ? i : bytes - 1 - i) & 0xFFU);
+  };
+  if (mark) put(0xFEFF);
+  for (const char c : text) put(static_cast<unsigned char>(c));
+  return made;
+}
+
+TEST_P(EveryFormat, MayHaveWideLetters) {
+  for (const std::size_t bytes : {2, 4})
+    for (const bool least_first : {true, false})
+      for (const bool mark : {true, false}) {
+        testing::write_content(file(), wide(sample(GetParam()), bytes, least_first, mark));
+        EXPECT_EQ(faces_of(file()), 18) << bytes << least_first << mark;
+      }
+}
+
 TEST_P(EveryFormat, ReadsWithoutNamesWhenTheyAreNotWanted) {
   testing::write_content(file(), sample(GetParam()));
   std::vector<std::string> steps;
@@ -188,6 +209,44 @@ TEST(ReadingStep, TakesOddBeginningsAndSmallLetters) {
     EXPECT_EQ(read_model(folder / "odd.step").reading().grade(), ReadingGrade::Whole);
     EXPECT_EQ(read_model(folder / "odd.step").part_name(1), "Base plate");
   }
+}
+
+TEST(ReadingStep, TakesWideLettersForThoseTheyAre) {
+  const Folder folder;
+  std::string text = sample(".step");
+  while (text.find("Base plate") != std::string::npos)
+    text = replaced(text, "Base plate", "Pl\xE4tte @@");
+  text = wide(text, 2, true, true);
+  for (std::size_t at = text.find('@'); at != std::string::npos; at = text.find('@'))
+    text.replace(at, 4, "\x3D\xD8\x29\xDD");  // one letter in two halves
+  testing::write_content(folder / "named.step", text);
+  EXPECT_EQ(read_model(folder / "named.step").part_name(1), "Pl\xC3\xA4tte \xF0\x9F\x94\xA9");
+}
+
+TEST(ReadingStep, TellsNumbersOfSeveralEntities) {
+  const Folder folder;
+  const std::string point = "#99999=CARTESIAN_POINT('',(1.,2.,3.));\n";
+  const std::string other = "#99999=CARTESIAN_POINT('',(9.,2.,3.));\n";
+  const auto with = [&](const std::string& more) {
+    testing::write_content(folder / "again.step",
+                           replaced(sample(".step"), "DATA;\n", "DATA;\n" + more));
+  };
+  with(point + point);
+  EXPECT_EQ(read_model(folder / "again.step").reading().grade(), ReadingGrade::Whole);
+  with(point + other);
+  EXPECT_EQ(loss(folder / "again.step"),
+            "entity number (#99999): several entities have it, and the first is taken");
+  EXPECT_EQ(faces_of(folder / "again.step"), 18);
+}
+
+TEST(ReadingStep, UsesCurvesInSpaceWhereThoseInFacesAreAnEmptyList) {
+  const Folder folder;
+  std::string text = sample(".step");
+  const std::size_t begin = text.find("SURFACE_CURVE("), list = text.find(",(#", begin) + 1;
+  text.replace(list, text.find(')', list) + 1 - list, "()");
+  testing::write_content(folder / "empty.step", text);
+  EXPECT_EQ(faces_of(folder / "empty.step"), 18);
+  EXPECT_EQ(read_model(folder / "empty.step").reading().grade(), ReadingGrade::AttributesLost);
 }
 
 TEST(ReadingStep, TakesNamesAsOtherProgramsWriteThem) {

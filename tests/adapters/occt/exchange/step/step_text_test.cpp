@@ -61,6 +61,36 @@ TEST(StepText, HasNumbersThatFitAnInteger) {
   EXPECT_EQ(mended(fits), fits);
 }
 
+TEST(StepText, HasNoScopes) {
+  EXPECT_EQ(mended("#9=A('&SCOPE');\n#1=&SCOPE #2=B(); #3=&SCOPE#4=C();ENDSCOPE D(#4); ENDSCOPE "
+                   "/#2, #3/ E(#2,#3);"),
+            "#9=A('&SCOPE');\n #2=B(); #4=C();#3=D(#4); #1= E(#2,#3);");
+}
+
+TEST(StepText, HasNoEmptyListsOfCurvesInFaces) {
+  EXPECT_EQ(
+      mended("#1=SURFACE_CURVE('()',#2,( ),.PCURVE_S1.);\n#2=SEAM_CURVE('',#2,(),.CURVE_3D.);"),
+      "#1=SURFACE_CURVE('()',#2,($ ),.PCURVE_S1.);\n#2=SEAM_CURVE('',#2,($),.CURVE_3D.);");
+  const std::string others = "#1=PRODUCT('',(),$);\n#2=SURFACE_CURVE('',#1,(#3),.CURVE_3D.);";
+  EXPECT_EQ(mended(others), others);
+}
+
+TEST(StepText, HasEachNumberOnce) {
+  EXPECT_EQ(mended("#1=A('#2=');\n#2=B( 1. );\n#02=B(1.);\n#3=C();"),
+            "#1=A('#2=');\n#2=B( 1. );\n          \n#3=C();");
+  std::string text =
+      "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=A();\n#2=B('x;');\n#1=C();\n#2=D();\n"
+      "#2=E();\nENDSEC;\nEND-ISO-10303-21;\n";
+  ReadingReport report;
+  mend_step_text(text, report);
+  EXPECT_EQ(text.substr(text.find('#'), 19), "#1=A();\n#2=B('x;');");
+  EXPECT_EQ(text.find("=C()"), std::string::npos);
+  ASSERT_EQ(report.losses.size(), 1u);
+  EXPECT_EQ(report.losses[0].text(),
+            "3 entity numbers (#1, #2, ...): several entities have it, and the first is taken");
+  EXPECT_EQ(report.grade(), ReadingGrade::ShapesLost);
+}
+
 std::string whole(std::string text) {
   ReadingReport report;
   mend_step_text(text, report);
