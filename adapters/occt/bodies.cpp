@@ -339,10 +339,12 @@ class BodyRelations {
     return std::nullopt;
   }
 
-  Status add_trimmed(const Body& surface, const Body& solid, Sides& sides) const {
+  // Nothing of loose edges and vertices, which have no pieces.
+  std::optional<Status> add_trimmed(const Body& surface, const Body& solid, Sides& sides) const {
     std::vector<PartFace> faces;
     for (const TopoDS_Shape& face : parts_of(surface.shape, TopAbs_FACE))
       faces.push_back({static_cast<int>(faces.size()) + 1, TopoDS::Face(face)});
+    if (faces.empty()) return std::nullopt;
     TrimOptions options;
     options.intersection = limit_.remaining();
     const TrimResult made = trim(faces, {trim_tool(solid.shape)}, options);

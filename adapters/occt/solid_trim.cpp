@@ -299,6 +299,14 @@ SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimT
 
 }  // namespace
 
+namespace {
+
+void require_faces(const TrimTool& input, const std::string& name) {
+  if (input.faces.empty()) throw BadModel(name + ": there is no face in it");
+}
+
+}  // namespace
+
 std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation) {
   if (!takes_sheets(part, tools, operation) || operation == SolidOperation::Split ||
@@ -322,6 +330,8 @@ std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& t
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation, const IntersectionOptions& options) {
   if (tools.empty()) throw InvalidInput("trim: there is no tool");
+  require_faces(part, part_name(part));
+  for (std::size_t i = 0; i < tools.size(); ++i) require_faces(tools[i], tool_name(tools, i));
   if (const std::string cause = misplaced_sheet(part, tools, operation); !cause.empty())
     throw InvalidInput("trim: " + cause);
   SolidTrimResult result;

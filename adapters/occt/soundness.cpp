@@ -120,7 +120,8 @@ void check_solid(const TopoDS_Solid& solid, std::vector<std::string>& found) {
   add_words_of(new BRepCheck_Solid(solid), TopAbs_SOLID, found);
   GProp_GProps properties;
   BRepGProp::VolumeProperties(solid, properties);
-  if (!(properties.Mass() > 0)) found.emplace_back("is turned inside out, or no numbers");
+  if (!(properties.Mass() > 0))
+    found.emplace_back(properties.Mass() < 0 ? "is turned inside out" : "encloses no volume");
 }
 
 std::vector<std::string> body_problems(const TopoDS_Shape& shape, const CheckRunner& run) {

@@ -294,8 +294,8 @@ void collect(const std::vector<DividedFace>& faces, const TrimOptions& options,
 
 bool asks_for_solids(const std::vector<PartFace>& part, const std::vector<TrimTool>& tools,
                      const TrimOptions& options) {
-  return options.keep != Keep::Above && options.keep != Keep::Below && !tools.empty() &&
-         std::ranges::all_of(tools, &TrimTool::is_solid) &&
+  return options.keep != Keep::Above && options.keep != Keep::Below && !part.empty() &&
+         !tools.empty() && std::ranges::all_of(tools, &TrimTool::is_solid) &&
          std::ranges::all_of(part, &PartFace::cut);
 }
 

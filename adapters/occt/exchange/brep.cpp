@@ -60,25 +60,51 @@ struct Table {
   std::string_view rest;
 };
 
-Table table_of(std::string_view text, std::string_view name) {
-  Table table;
-  const std::size_t start = text.rfind("\n" + std::string(name) + " ");
-  if (start == std::string_view::npos) return table;
-  table.found = true;
-  std::string_view rest = text.substr(start + name.size() + 2);
-  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
-  const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), table.count);
-  table.rest = rest.substr(static_cast<std::size_t>(end.ptr - rest.data()));
-  return table;
-}
+/// The tables of a text, each by the last line that begins with its name.
+class Tables {
+ public:
+  explicit Tables(std::string_view text) {
+    for (std::size_t end = text.find('\n'); end != std::string_view::npos;
+         end = text.find('\n', end + 1))
+      look_at(text.substr(end + 1));
+  }
+
+  Table operator[](std::string_view name) const {
+    Table table;
+    for (std::size_t i = 0; i < kNames.size(); ++i)
+      if (kNames[i] == name) table.rest = rests_[i];
+    table.found = table.rest.data() != nullptr;
+    if (!table.found) return table;
+    while (!table.rest.empty() && is_blank(table.rest.front())) table.rest.remove_prefix(1);
+    const char* const last = table.rest.data() + table.rest.size();
+    const auto end = std::from_chars(table.rest.data(), last, table.count);
+    table.rest.remove_prefix(static_cast<std::size_t>(end.ptr - table.rest.data()));
+    return table;
+  }
+
+ private:
+  static constexpr std::array<std::string_view, 8> kNames = {
+      "Locations", "Curve2ds",       "Curves", "Polygon3D", "PolygonOnTriangulations",
+      "Surfaces",  "Triangulations", "TShapes"};
+
+  /// text   from the beginning of a line on
+  void look_at(std::string_view text) {
+    if (text.empty() || std::isupper(static_cast<unsigned char>(text.front())) == 0) return;
+    for (std::size_t i = 0; i < kNames.size(); ++i)
+      if (text.starts_with(kNames[i]) && text.substr(kNames[i].size()).starts_with(' '))
+        rests_[i] = text.substr(kNames[i].size() + 1);
+  }
+
+  std::array<std::string_view, kNames.size()> rests_{};  // what follows; null of what is not there
+};
 
 /// No table has more entries than the text has lines: Open CASCADE would look for as many as a
 /// damaged number says.
-void check_tables(std::string_view text) {
+void check_tables(std::string_view text, const Tables& tables) {
   const long lines = std::count(text.begin(), text.end(), '\n');
   for (const char* name : {"Locations", "Curve2ds", "Curves", "Polygon3D",
                            "PolygonOnTriangulations", "Surfaces", "Triangulations"}) {
-    const Table table = table_of(text, name);
+    const Table table = tables[name];
     if (table.found && (table.count < 0 || table.count > lines))
       throw BadModel(std::string("is damaged: it cannot have as many entries as its table '") +
                      name + "' says");
@@ -88,9 +114,8 @@ void check_tables(std::string_view text) {
 /// The shapes stand behind all that they are made of, each closed by a star; then comes the whole's
 /// orientation and place ("+1 0"). Shapes are counted from the end: when there are more or less of
 /// them than the table says, though the end is there, their references are wrong.
-/// returns   whether the text is cut off among the shapes
-bool is_cut_off(std::string_view text) {
-  const Table table = table_of(text, "TShapes");
+/// returns   whether the text is cut off among the shapes, by their table
+bool is_cut_off(const Table& table) {
   if (!table.found || table.count < 0) throw BadModel("is cut off before its shapes");
   if (table.count == 0) return false;  // it holds none
   const long stars = std::count(table.rest.begin(), table.rest.end(), '*');
@@ -137,9 +162,11 @@ void check_version(std::string_view text) {
 TopoDS_Shape text_shape(std::string_view text, ReadingReport& report) {
   text.remove_prefix(text.find("CASCADE Topology V"));
   check_version(text);
-  check_tables(text);
-  const bool cut = is_cut_off(text);
-  if (table_of(text, "TShapes").count == 0) return {};
+  const Tables tables(text);
+  check_tables(text, tables);
+  const Table shapes = tables["TShapes"];
+  const bool cut = is_cut_off(shapes);
+  if (shapes.count == 0) return {};
   StrictStream in{std::string(text)};
   BRepTools_ShapeSet set{BRep_Builder()};
   TopoDS_Shape shape;
@@ -157,7 +184,7 @@ TopoDS_Shape text_shape(std::string_view text, ReadingReport& report) {
   }
   report.add({"the rest of the file",
               "it is cut off: " + std::to_string(set.NbShapes()) + " of " +
-                  std::to_string(table_of(text, "TShapes").count) + " shapes are there",
+                  std::to_string(shapes.count) + " shapes are there",
               true});
   return whole_shapes(set);
 }
@@ -223,7 +250,7 @@ void check_surface_text(std::istream& in) {
 
 /// Why the first surface is refused that Open CASCADE cannot read; nothing if it reads them all.
 std::string refused_surface(const std::string& text) {
-  const Table table = table_of(text, "Surfaces");
+  const Table table = Tables(text)["Surfaces"];
   std::istringstream in{std::string(table.rest)};
   for (long i = 0; i < table.count && in; ++i) {
     const std::istringstream::pos_type place = in.tellg();
@@ -266,7 +293,7 @@ std::string why_without_surface(const std::string& text) {
 bool loses_curves(const std::string& text) {
   if (is_binary_brep(text)) return false;
   const Listening listening;
-  const Table table = table_of(text, "Curves");
+  const Table table = Tables(text)["Curves"];
   std::istringstream in{std::string(table.rest)};
   for (long i = 0; i < table.count && in; ++i)
     if (GeomTools_CurveSet::ReadCurve(in).IsNull()) return true;

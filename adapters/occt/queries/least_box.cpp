@@ -2,6 +2,9 @@
 #include "adapters/occt/queries/least_box.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <utility>
 
 #include <BRepAdaptor_Surface.hxx>
@@ -9,6 +12,8 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_Ellipse.hxx>
 #include <Geom_Line.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -28,6 +33,9 @@ namespace {
 // Of the size of a box: how far beyond it planes are. Near ones lose fewer digits.
 constexpr double kBeyond = 1e-3;
 constexpr double kPrecision = 1e-7;  // model units, what is Open CASCADE's confusion
+// Of the size of a box: how far edges may be from the borders of their faces and still bound them.
+// Searches end at less precise boxes where a face comes as far all along a line.
+constexpr double kBorder = 1e-6;
 // Of cells, for a side: where a shape comes as far all along a curve, the last digits take a time
 // that nobody wants to wait; the box says how precise it is.
 constexpr long kMaxPairs = 20'000;
@@ -79,19 +87,38 @@ bool is_ruled(const BRepAdaptor_Surface& surface) {
 
 // A line goes farthest in any direction at an end: where a face is made of lines, on its border.
 // Its edges are that border, up to their tolerance.
-bool ends_on_edges(const TopoDS_Face& face) {
-  bool bounded = false;
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-    if (BRep_Tool::Tolerance(TopoDS::Edge(it.Current())) > kPrecision) return false;
-    bounded = true;
+//
+// returns   how far edges may be from the border; none if the face goes farther
+std::optional<double> ends_on_edges(const TopoDS_Face& face) {
+  std::optional<double> apart;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    apart = std::max(apart.value_or(kPrecision), BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+  if (!apart || !is_ruled(BRepAdaptor_Surface(face, Standard_False))) return std::nullopt;
+  return apart;
+}
+
+// Calls `take` with the places where an arc comes farthest along an axis, in the middle or at its
+// ends. The arc is c + cos(t) u + sin(t) v; along an axis it turns at atan(v / u).
+template <class Take>
+void for_each_extreme(const gp_XYZ& centre, const gp_XYZ& u, const gp_XYZ& v, double from,
+                      double to, const Take& take) {
+  constexpr double kHalfTurn = std::numbers::pi;
+  constexpr int kMostTurns = 3;  // along an axis, within one turn of the arc
+  const auto at = [&](double t) { take(gp_Pnt(centre + std::cos(t) * u + std::sin(t) * v)); };
+  at(from);
+  at(to);
+  for (int axis = 1; axis <= 3; ++axis) {
+    const double turn = std::atan2(v.Coord(axis), u.Coord(axis));
+    double t = turn + std::ceil((from - turn) / kHalfTurn) * kHalfTurn;
+    for (int turns = 0; turns < kMostTurns && t < to; ++turns, t += kHalfTurn) at(t);
   }
-  return bounded && is_ruled(BRepAdaptor_Surface(face, Standard_False));
 }
 
 // What of a shape may go farthest in a direction.
 class Outermost {
  public:
-  explicit Outermost(const TopoDS_Shape& shape) {
+  /// size   of the shape
+  Outermost(const TopoDS_Shape& shape, double size) : size_(size) {
     builder_.MakeCompound(parts_);
     TopTools_IndexedMapOfShape faces, edges, vertices;
     TopExp::MapShapes(shape, TopAbs_FACE, faces);
@@ -113,8 +140,9 @@ class Outermost {
 
  private:
   void add(const TopoDS_Face& face) {
-    if (ends_on_edges(face))
-      slack_ = kPrecision;
+    const std::optional<double> apart = ends_on_edges(face);
+    if (apart && *apart <= std::max(kPrecision, kBorder * size_))
+      slack_ = std::max(slack_, *apart);
     else
       builder_.Add(parts_, face);
   }
@@ -123,12 +151,22 @@ class Outermost {
     double from = 0, to = 0;
     if (BRep_Tool::Degenerated(edge)) return;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, from, to);
-    if (!curve.IsNull() && curve->IsKind(STANDARD_TYPE(Geom_Line))) {
+    if (const auto circle = Handle(Geom_Circle)::DownCast(curve); !circle.IsNull()) {
+      add_arc(circle->Position(), circle->Radius(), circle->Radius(), from, to);
+    } else if (const auto ellipse = Handle(Geom_Ellipse)::DownCast(curve); !ellipse.IsNull()) {
+      add_arc(ellipse->Position(), ellipse->MajorRadius(), ellipse->MinorRadius(), from, to);
+    } else if (!curve.IsNull() && curve->IsKind(STANDARD_TYPE(Geom_Line))) {
       add(curve->Value(from));
       add(curve->Value(to));
     } else {
       builder_.Add(parts_, edge);
     }
+  }
+
+  void add_arc(const gp_Ax2& place, double along_x, double along_y, double from, double to) {
+    for_each_extreme(place.Location().XYZ(), along_x * place.XDirection().XYZ(),
+                     along_y * place.YDirection().XYZ(), from, to,
+                     [&](const gp_Pnt& point) { add(point); });
   }
 
   void add(const gp_Pnt& point) {
@@ -140,13 +178,14 @@ class Outermost {
   TopoDS_Compound parts_;
   Box points_;
   double slack_ = 0;
+  double size_;
 };
 
 }  // namespace
 
 LeastBox least_box(const TopoDS_Shape& shape, const std::function<bool()>& cancelled) {
   const Box around = some_box(shape);
-  const Outermost outermost(shape);
+  const Outermost outermost(shape, max_norm(around.high - around.low));
   LeastBox least{outermost.points(), outermost.slack()};
   if (outermost.parts().NbChildren() == 0) return least;
   const MeasuredShape parts(outermost.parts());

@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -160,6 +162,21 @@ TEST(BodyRelation, KnowsASheetThatStandsOnABoxOrHangsInIt) {
   expect_relation(standing(1, 2), cube(2), Relation::AInsideB);
   expect_relation(standing(1, 3), cube(2), Relation::Crossing);
   expect_relation(standing(-3, 1.9), cube(2), Relation::Crossing);
+}
+
+TEST(BodyRelation, IsKnownOfEdgesAndVerticesInContact) {
+  const auto point = [](double x, double y, double z) {
+    return BRepBuilderAPI_MakeVertex(gp_Pnt(x, y, z)).Shape();
+  };
+  const auto line = [](double from, double to) {
+    return BRepBuilderAPI_MakeEdge(gp_Pnt(from, 0, 0), gp_Pnt(to, 0, 0)).Shape();
+  };
+  expect_relation(point(2, 2, 2), cube(2), Relation::Touching);
+  expect_relation(point(2, 0, 0), cube(2), Relation::Touching);
+  expect_relation(point(1, 0, 0), cube(2), Relation::AInsideB);
+  expect_relation(line(2, 5), cube(2), Relation::Touching);
+  expect_relation(line(0, 2), cube(2), Relation::AInsideB);
+  EXPECT_EQ(found(line(2, 5), cube(2)).status, Status::Tolerance);
 }
 
 TEST(BodyRelation, KnowsEqualSolids) {

@@ -46,6 +46,7 @@
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/shapes.h"
 #include "core/base/errors.h"
 
@@ -427,6 +428,13 @@ TEST(TrimSolids, RefusesWhatIsNotClosed) {
   EXPECT_THROW(trim_solids(trim_tool(a), {open}, SolidOperation::Cut), InvalidInput);
   EXPECT_THROW(trim_solids(open, {trim_tool(a)}, SolidOperation::Fuse), InvalidInput);
   EXPECT_THROW(trim_solids(trim_tool(a), {}, SolidOperation::Cut), InvalidInput);
+  const TrimTool edge =
+      trim_tool(BRepBuilderAPI_MakeEdge(gp_Pnt(-1, 0, 0), gp_Pnt(1, 0, 0)).Shape());
+  for (const SolidOperation operation :
+       {SolidOperation::Cut, SolidOperation::Common, SolidOperation::Fuse, SolidOperation::Split}) {
+    EXPECT_THROW(trim_solids(edge, {trim_tool(a)}, operation), BadModel);
+    EXPECT_THROW(trim_solids(trim_tool(a), {edge}, operation), BadModel);
+  }
 }
 
 TEST(TrimSolids, TellHowManyShellsAreOpen) {

@@ -189,6 +189,10 @@ class Arguments(unittest.TestCase):
         brep = blossom.intersect(FLOOR, WALL).to_brep()
         self.assertIsInstance(brep, bytes)
         self.assertIn(b"CASCADE Topology V", brep)
+        line = blossom.curve([(0, 0, 0), (9, 9, 9)])
+        for operation in ("cut", "common", "fuse", "split"):
+            with self.assertRaisesRegex(ValueError, "there is no face in it"):
+                line.solid(operation, WALL)
         with self.assertRaisesRegex(ValueError, "^a: there is no face in it$"):
             blossom.intersect(brep, WALL)
 

@@ -23,6 +23,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Elips.hxx>
 
 #include "adapters/occt/base/errors.h"
 
@@ -98,6 +99,34 @@ TEST(LeastBox, DoesNotTakeLooseEdgesForTheBorder) {
     if (!rim.IsNull()) rim->SetRadius(1.9);
   }
   expect_box(least_box(pipe.Face()), {-2, -2, 0}, {2, 2, 10});
+}
+
+// What Open CASCADE's operations leave: the box is known to the edges' tolerance.
+TEST(LeastBox, TakesEdgesForTheBorderWithinTheirTolerance) {
+  constexpr double kLoose = 4e-6, kRadius = 400;
+  const gp_Ax2 tilted(gp_Pnt(0, 0, 0), gp_Dir(0.3, 0.2, 1));
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(tilted, kRadius, 100, 250).Shape();
+  const LeastBox tight = least_box(cone);
+  const BRep_Builder builder;
+  for (TopExp_Explorer it(cone, TopAbs_EDGE); it.More(); it.Next())
+    builder.UpdateEdge(TopoDS::Edge(it.Current()), kLoose);
+  const LeastBox loose = least_box(cone);
+  EXPECT_LE(loose.precision, 1.01 * kLoose);
+  EXPECT_LE(max_norm(loose.box.low - tight.box.low), kLoose);
+  EXPECT_LE(max_norm(loose.box.high - tight.box.high), kLoose);
+}
+
+TEST(LeastBox, OfArcsIsInClosedForm) {
+  const double part = 0.9 * std::numbers::pi, half = std::numbers::sqrt2 / 2;
+  const gp_Elips ellipse(gp_Ax2(gp_Pnt(0, 0, 1), gp_Dir(0, 0, 1), gp_Dir(1, 1, 0)), 5, 3);
+  const TopoDS_Shape arc = BRepBuilderAPI_MakeEdge(ellipse, -part, part).Shape();
+  const LeastBox box = least_box(arc);
+  EXPECT_EQ(box.precision, 0);
+  const double reach = std::sqrt(0.5 * (25 + 9));
+  expect_box(box, {-reach, -reach, 1}, {reach, reach, 1});
+  const TopoDS_Shape less = BRepBuilderAPI_MakeEdge(ellipse, 0, part).Shape();
+  expect_box(least_box(less), {-reach, half * (5 * std::cos(part) + 3 * std::sin(part)), 1},
+             {5 * half, reach, 1});
 }
 
 TEST(LeastBox, TakesEdgesAndVerticesWithoutFaces) {
