@@ -19,6 +19,7 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/face_groups.h"
 #include "adapters/occt/faces/point_inside.h"
+#include "adapters/occt/queries/edge_sides.h"
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/splitting/trim_sides.h"
@@ -322,8 +323,8 @@ class BodyRelations {
   std::optional<Status> split_along(std::size_t i, std::size_t j, Sides& a, Sides& b) try {
     return guarded("splitting bodies in contact", [&]() -> std::optional<Status> {
       const Body &body_a = a_.bodies[i], &body_b = b_.bodies[j];
-      if (!body_a.is_solid()) return add_trimmed(body_a, body_b, a);
-      if (!body_b.is_solid()) return add_trimmed(body_b, body_a, b);
+      if (!body_a.is_solid()) return add_pieces(body_a, body_b, b_.asked[j], a);
+      if (!body_b.is_solid()) return add_pieces(body_b, body_a, a_.asked[i], b);
       const TrimTool solid_a = trim_tool(body_a.shape), solid_b = trim_tool(body_b.shape);
       SolidPieces pieces = solid_pieces(solid_a, solid_b, Attempt::First, limit_.remaining());
       if (!pieces.obstacles.empty())
@@ -339,12 +340,35 @@ class BodyRelations {
     return std::nullopt;
   }
 
-  // Nothing of loose edges and vertices, which have no pieces.
-  std::optional<Status> add_trimmed(const Body& surface, const Body& solid, Sides& sides) const {
+  // Of faces and loose edges. Nothing of vertices alone, which have no pieces.
+  std::optional<Status> add_pieces(const Body& surface, const Body& solid, AskedBody& asked,
+                                   Sides& sides) const {
+    const Parts edges = free_parts_of(surface.shape, TopAbs_EDGE, TopAbs_FACE);
+    const Parts faces = parts_of(surface.shape, TopAbs_FACE);
+    if (edges.empty() && faces.empty()) return std::nullopt;
+    const Status of_faces = faces.empty() ? Status::Complete : add_trimmed(surface, solid, sides);
+    return weaker(of_faces, add_edges(edges, solid, asked, sides));
+  }
+
+  Status add_edges(const Parts& edges, const Body& solid, AskedBody& asked, Sides& sides) const {
+    std::vector<TopoDS_Face> faces;
+    for (const TopoDS_Shape& face : parts_of(solid.shape, TopAbs_FACE))
+      faces.push_back(TopoDS::Face(face));
+    Status status = Status::Complete;
+    for (const TopoDS_Shape& edge : edges) {
+      const EdgeStretches stretches =
+          stretches_beside(TopoDS::Edge(edge), faces, limit_.remaining());
+      status = weaker(status, stretches.status);
+      for (const gp_Pnt& middle : stretches.middles)
+        if (const auto inside = asked.clearly_holds(middle, tolerance_)) count_sides(inside, sides);
+    }
+    return status;
+  }
+
+  Status add_trimmed(const Body& surface, const Body& solid, Sides& sides) const {
     std::vector<PartFace> faces;
     for (const TopoDS_Shape& face : parts_of(surface.shape, TopAbs_FACE))
       faces.push_back({static_cast<int>(faces.size()) + 1, TopoDS::Face(face)});
-    if (faces.empty()) return std::nullopt;
     TrimOptions options;
     options.intersection = limit_.remaining();
     const TrimResult made = trim(faces, {trim_tool(solid.shape)}, options);

@@ -176,7 +176,14 @@ TEST(BodyRelation, IsKnownOfEdgesAndVerticesInContact) {
   expect_relation(point(1, 0, 0), cube(2), Relation::AInsideB);
   expect_relation(line(2, 5), cube(2), Relation::Touching);
   expect_relation(line(0, 2), cube(2), Relation::AInsideB);
-  EXPECT_EQ(found(line(2, 5), cube(2)).status, Status::Tolerance);
+  expect_relation(line(-5, 5), cube(2), Relation::Crossing);
+  expect_relation(line(-2, 2), cube(2), Relation::AInsideB);
+  // A corner is crossed beside the middle of the edge.
+  const TopoDS_Shape past = BRepBuilderAPI_MakeEdge(gp_Pnt(-9, 1, 0), gp_Pnt(2, -6, 0)).Shape();
+  const TopoDS_Shape corner = BRepBuilderAPI_MakeEdge(gp_Pnt(1, 9, 0), gp_Pnt(2.1, 1, 0)).Shape();
+  expect_relation(past, cube(2), Relation::Disjoint);
+  expect_relation(corner, cube(2), Relation::Crossing);
+  EXPECT_EQ(found(point(2, 0, 0), cube(2)).status, Status::Tolerance);
 }
 
 TEST(BodyRelation, KnowsEqualSolids) {
