@@ -106,7 +106,13 @@ class EdgeBlend(Result):
 
     def _summary(self) -> str:
         told = f"{self.status}, {counted(len(self.edges), 'edge')} {self._done}"
-        return f"{told}, {len(self.refused)} refused" if self.refused else told
+        if not self.refused:
+            return told
+        first = self.refused[0]
+        size = first["largest_radius"]
+        largest = f"; the largest that works is {size:.6g}" if size else ""
+        edge = f"edge {first['edge']}: " if first["edge"] else ""
+        return f"{told}, {len(self.refused)} refused: {edge}{first['cause']}{largest}"
 
 
 class Fillet(EdgeBlend):

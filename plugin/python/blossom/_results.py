@@ -135,6 +135,15 @@ class Result(MadeShape):
         return str(self._told()["status"])
 
     @property
+    def reasons(self) -> List[str]:
+        """Why the status is not "complete", in words, as far as they are known."""
+        if self.status == "complete":
+            return []
+        found: Dict[str, None] = {}  # each once, in order
+        _add_reasons(self._told(), found)
+        return list(found)
+
+    @property
     def seconds(self) -> float:
         """From the model in memory to the answer."""
         return float(self._told()["seconds"])
@@ -190,6 +199,17 @@ class Selective(Result):
     def status(self) -> str:
         """ "complete", or "stopped" if something is left out."""
         return "stopped" if self.refused else "complete"
+
+
+def _add_reasons(told: Any, found: Dict[str, None]) -> None:
+    """Those of all certificates in a report: it may have one for each plane and part."""
+    if isinstance(told, dict):
+        found.update(dict.fromkeys((told.get("certificate") or {}).get("reasons", [])))
+        for value in told.values():
+            _add_reasons(value, found)
+    elif isinstance(told, list) and told and isinstance(told[0], dict):
+        for each in told:
+            _add_reasons(each, found)
 
 
 def _drop_samples(told: Any) -> None:

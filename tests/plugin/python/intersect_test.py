@@ -303,6 +303,14 @@ class LongWork(unittest.TestCase):
         self.assertEqual(found.status, "stopped")
         self.assertTrue(found.places)
 
+    def test_it_tells_why_it_is_not_complete(self):
+        touching = blossom.intersect(FLOOR, paraboloid(0))
+        self.assertEqual(touching.status, "tolerance")
+        self.assertTrue(any("touch" in reason for reason in touching.reasons), touching.reasons)
+        cut = blossom.shape(paraboloid(0)).section((0, 0, 0), (0, 0, 1))
+        self.assertEqual(cut.reasons, touching.reasons)
+        self.assertEqual(blossom.intersect(FLOOR, WALL).reasons, [])
+
     def test_a_budget_stops_it(self):
         found = blossom.intersect(*self.HARD, tolerance=1e-10, budget=50)
         self.assertEqual(found.status, "stopped")
