@@ -5,6 +5,7 @@ The window prints nothing, so claims go to BLOSSOM_CLAIMS; pictures go to the fo
 """
 
 import os
+import time
 
 import FreeCAD
 import FreeCADGui
@@ -109,3 +110,33 @@ def bumps(document, name, height):
     feature = document.addObject("Part::Feature", name)
     feature.Shape = surface.toShape()
     return feature
+
+
+# ---- how the window answers
+
+
+class Pulse(QtCore.QTimer):
+    """Notes how long the window lets others wait."""
+
+    def __init__(self):
+        super().__init__()
+        self.setInterval(10)
+        self.timeout.connect(self.beat)
+        self.beats, self.longest = 0, 0.0
+        self.last = self.began = time.monotonic()
+        self.worked = time.thread_time()
+        self.start()
+
+    def beat(self):
+        now = time.monotonic()
+        self.longest = max(self.longest, now - self.last)
+        self.last, self.beats = now, self.beats + 1
+
+    def told(self, what):
+        self.stop()
+        seconds = time.monotonic() - self.began
+        share = time.thread_time() - self.worked
+        print(f"{what}: in {seconds:.1f} s the window worked {share:.1f} s and answered "
+              f"{self.beats} times, at the latest after {1000 * self.longest:.0f} ms",
+              file=claims)  # fmt: skip
+        return self.beats

@@ -18,8 +18,8 @@ from PySide2 import QtCore, QtGui, QtWidgets
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from hands import (  # noqa: E402
-    V, bumps, claim, claims, found, look, new_document, picture, press, said, select, wave, widget,
-    window,
+    Pulse, V, bumps, claim, claims, found, look, new_document, picture, press, said, select, wave,
+    widget, window,
 )  # fmt: skip
 
 LEAST_ANSWERS = 5  # of a window that goes on, on whatever machine; one that waits answers once
@@ -256,33 +256,6 @@ def mesh():
     claim("what it is of is hidden", not document.Bored.Visibility)
 
 
-class Pulse(QtCore.QTimer):
-    """Notes how long the window lets others wait."""
-
-    def __init__(self):
-        super().__init__()
-        self.setInterval(10)
-        self.timeout.connect(self.beat)
-        self.beats, self.longest = 0, 0.0
-        self.last = self.began = time.monotonic()
-        self.worked = time.thread_time()
-        self.start()
-
-    def beat(self):
-        now = time.monotonic()
-        self.longest = max(self.longest, now - self.last)
-        self.last, self.beats = now, self.beats + 1
-
-    def told(self, what):
-        self.stop()
-        seconds = time.monotonic() - self.began
-        share = time.thread_time() - self.worked
-        print(f"{what}: in {seconds:.1f} s the window worked {share:.1f} s and answered "
-              f"{self.beats} times, at the latest after {1000 * self.longest:.0f} ms",
-              file=claims)  # fmt: skip
-        return self.beats
-
-
 def busy():
     """Whether a preview is at work."""
     return widget(QtWidgets.QPushButton, "BlossomStop") is not None
@@ -390,6 +363,30 @@ def many():
     press("Ok")
 
 
+def first_steps():
+    """What is said where nothing is chosen, and where a section begins."""
+    document = new_document("Steps")
+    block = document.addObject("Part::Box", "Block")
+    block.Placement.Base = V(3, 4, 100)
+    document.recompute()
+    look(document)
+    FreeCADGui.runCommand("Blossom_Intersection")
+    yield lambda: "Take selection" in said()
+    claim("a panel has its own words", said().startswith("Faces: a face is wanted"))
+    press("Cancel")
+    select(document, ("Block", ""))
+    FreeCADGui.runCommand("Blossom_Section")
+    yield found
+    claim("a plane goes through the middle", document.Section.Point == V(8, 9, 105))
+    claim("and cuts it", document.Section.Closed == 1)
+    press("Cancel")
+    select(document, ("Block", ""), ("Block", ""))
+    FreeCADGui.runCommand("Blossom_Solid")
+    yield lambda: "Take selection" in said()
+    claim("what is missing has its label", said().startswith("Tools: a solid is wanted"))
+    press("Cancel")
+
+
 def deleted():
     document = new_document("Deleted")
     document.addObject("Part::Box", "Block")
@@ -451,7 +448,8 @@ def tour():
         if dock.objectName() == "Combo View":
             window().resizeDocks([dock], [330], QtCore.Qt.Horizontal)
     stations = (
-        intersection, trim, fillet, chamfer, check, clash, mesh, work, many, deleted, reopened,
+        intersection, trim, fillet, chamfer, check, clash, mesh, work, many, first_steps, deleted,
+        reopened,
     )  # fmt: skip
     for station in stations:
         print(f"-- {station.__name__}", file=claims)

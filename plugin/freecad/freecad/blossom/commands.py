@@ -33,6 +33,7 @@ class Command:
         try:
             obj = make.of_kind(self._kind, document, *members)
             obj.Label = self._kind.TITLE
+            obj.Proxy.begin(obj)
             FreeCADGui.getDocument(document.Name).setEdit(obj.Name)
         except Exception:
             document.abortTransaction()

@@ -103,6 +103,9 @@ class Feature:
         """The answer. In a thread of its own: it must not touch the document."""
         raise NotImplementedError
 
+    def begin(self, obj):
+        """Choices of a new object that a user makes in the window, by what was selected for it."""
+
     def unused(self, obj):
         """Names of choices that do not count, as others are."""
         return set()
@@ -128,7 +131,13 @@ class Feature:
 
     def give(self, obj, answer, inputs):
         """Gives the object what was made. throws RuntimeError as `shape`"""
-        obj.Shape = _placed(self.shape(obj, answer, inputs), obj)
+        shape = _placed(self.shape(obj, answer, inputs), obj)
+        if obj.Shape.isNull() or not _same(obj.Shape, shape):
+            obj.Shape = shape
+        elif FreeCAD.GuiUp:  # OK after the preview: to show all anew keeps the window waiting
+            from .view import paint
+
+            paint(obj)
 
     def colours(self, obj):
         """A colour for each face of the shape, or None."""

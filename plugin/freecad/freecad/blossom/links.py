@@ -115,23 +115,26 @@ def whole_with_edges(link, name):
         raise ValueError(f"{name}: edges of one object are wanted, there are {len(wholes)}")
     target, path = wholes.pop()
     whole = shape_of(target, path, name)
+    faces, edges = whole.Faces, whole.Edges  # FreeCAD makes the lists anew each time
     numbers = set()
     for _, sub in listed:
-        numbers.update(_edge_numbers(whole, element_of(sub), name))
+        numbers.update(_edge_numbers(faces, edges, element_of(sub), name))
     return whole, sorted(numbers)
 
 
-def _edge_numbers(whole, element, name):
+def _edge_numbers(faces, edges, element, name):
     if not element:
         return []
     if element.startswith("Edge"):
-        return [_number_within(element, "Edge", len(whole.Edges), name)]
+        return [_number_within(element, "Edge", len(edges), name)]
     if element.startswith("Face"):
-        face = whole.Faces[_number_within(element, "Face", len(whole.Faces), name) - 1]
+        own = {}
+        for edge in faces[_number_within(element, "Face", len(faces), name) - 1].Edges:
+            own.setdefault(edge.hashCode(), []).append(edge)
         return [
             number
-            for number, edge in enumerate(whole.Edges, start=1)
-            if any(edge.isSame(other) for other in face.Edges)
+            for number, edge in enumerate(edges, start=1)
+            if any(map(edge.isSame, own.get(edge.hashCode(), ())))
         ]
     raise ValueError(f"{name}: edges or faces are wanted, got {element}")
 

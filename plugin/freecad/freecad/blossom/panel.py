@@ -112,7 +112,7 @@ class Panel:
         self.obj.touch()
         document.recompute()
         if "Invalid" in self.obj.State:
-            self.state.say_wrong(self.obj.getStatusString())
+            self._say_wrong(self.obj.getStatusString())
             return False
         document.commitTransaction()
         self._close()
@@ -145,11 +145,11 @@ class Panel:
         try:
             question = self.feature.question(self.obj)
         except MENDABLE as error:
-            self.state.say_wrong(str(error))
+            self._say_wrong(str(error))
             return True
         known = self._wrong is not None and self._wrong[0].same_as(question)
         if known:
-            self.state.say_wrong(self._wrong[1])
+            self._say_wrong(self._wrong[1])
         return known
 
     # The preview.
@@ -166,7 +166,7 @@ class Panel:
             self._question = self.feature.question(self.obj)
             self._job = self._question.job()
         except MENDABLE as error:
-            self.state.say_wrong(str(error))
+            self._say_wrong(str(error))
             return
         self._began = time.monotonic()
         self._job.start()
@@ -189,7 +189,7 @@ class Panel:
             self.feature.take(self.obj, question, answer)
         except MENDABLE as error:
             self._wrong = question, str(error)
-            self.state.say_wrong(str(error))
+            self._say_wrong(str(error))
             return
         self.feature.keep_ready(question, answer)
         self.obj.purgeTouched()
@@ -199,6 +199,16 @@ class Panel:
         self.state.say_found(self.obj, time.monotonic() - self._began)
         if self.extra is not None:
             self.extra.update_found(answer)
+
+    def _say_wrong(self, message):
+        """With the panel's labels for the names of properties, and how to choose what is missing."""
+        labels = {each.name: each.label for each in (*self.feature.LINKS, *self.feature.CHOICES)}
+        name, colon, rest = message.partition(": ")
+        if colon and name in labels:
+            message = f"{labels[name]}: {rest}"
+        if any(box.link.name == name and not box.members for box in self.links):
+            message += "\nSelect it in the view or in the tree, then click Take selection."
+        self.state.say_wrong(message)
 
     def _forget_job(self):
         self._clock.stop()

@@ -90,7 +90,10 @@ class StateBox(QtGui.QFrame):
         """The facts of the object in a table."""
         rows = []
         for fact in obj.Proxy.FACTS:
-            value = shown_fact(getattr(obj, fact.name), _UNITS.get(fact.kind, ""))
+            value = getattr(obj, fact.name)
+            if fact.kind in ("area", "volume") and value == 0:  # of solids no area, of sheets no volume
+                continue
+            value = shown_fact(value, _UNITS.get(fact.kind, ""))
             if value and fact.name not in obj.Proxy.TABLED:
                 rows.append((f"{spaced(fact.name)}&nbsp;&nbsp;", _escaped(value)))
         rows.append(("Time", f"{seconds:.2f} s"))

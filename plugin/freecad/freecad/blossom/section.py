@@ -8,6 +8,7 @@ from . import links
 from .feature import TOLERANCE, Choice, Fact, Feature, Link
 
 MOST_PLANES = 10000
+DIGITS = 4  # after the point, of a middle: as many as fields show
 
 
 class Section(Feature):
@@ -49,6 +50,12 @@ class Section(Feature):
             "normal": tuple(normal),
             "tolerance": obj.Tolerance.Value,
         }
+
+    def begin(self, obj):
+        """The plane goes through the middle of what is cut."""
+        if obj.Part and not obj.Plane:
+            middle = links.shape(obj.Part, "Part").BoundBox.Center
+            obj.Point = FreeCAD.Vector(*(round(each, DIGITS) for each in middle))
 
     def unused(self, obj):
         of_plane = {"Point", "Normal"} if obj.Plane else set()
