@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 
 #include <CLI/Config.hpp>
@@ -75,11 +76,50 @@ std::string did_you_mean(const std::string& typed, const std::vector<std::string
   return near.empty() ? "" : "; did you mean '" + dashes + near + "'?";
 }
 
+bool has_word(const std::string& text, const std::string& word) {
+  const auto is_letter = [&](std::size_t at) {
+    return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
+  };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    if (!(at > 0 && is_letter(at - 1)) && !is_letter(at + word.size())) return true;
+  return false;
+}
+
+// All commands below one, by name; of those that have commands of their own these.
+void add_commands(const CLI::App& app, std::vector<const CLI::App*>& commands) {
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_subcommands({}).empty()) commands.push_back(command);
+    add_commands(*command, commands);
+  }
+}
+
+// Where a command of that name is, at another place; or, if it is no command at all, what it is
+// about: "section" is what 'query plane' makes.
+std::string command_elsewhere(const CLI::App& app, const std::string& typed) {
+  constexpr std::size_t kShortest = 4;  // letters of a word that says enough
+  const CLI::App* root = &app;
+  while (root->get_parent() != nullptr) root = root->get_parent();
+  std::vector<const CLI::App*> commands;
+  add_commands(*root, commands);
+  const auto hint = [](const CLI::App& command) {
+    return "; there is 'blossom " + command_name(command) + "': " + command.get_description();
+  };
+  for (const CLI::App* command : commands)
+    if (command->get_name() == typed) return hint(*command);
+  if (typed.size() < kShortest) return {};
+  for (const CLI::App* command : commands)
+    if (has_word(command->get_description(), typed) ||
+        has_word(command->get_description(), typed + "s"))
+      return hint(*command);
+  return {};
+}
+
 std::string no_such_command(const CLI::App& parent, const std::string& typed) {
   const std::vector<std::string> names = names_of_commands(parent);
   const std::string parent_name = command_name(parent);
   const std::string full = parent_name.empty() ? typed : parent_name + " " + typed;
-  const std::string near = did_you_mean(typed, names);
+  std::string near = did_you_mean(typed, names);
+  if (near.empty()) near = command_elsewhere(parent, typed);
   return "there is no command '" + full + "'" +
          (near.empty() ? "; there are " + listed(names, "and") : near);
 }
@@ -92,8 +132,12 @@ std::string no_such_option(const CLI::App& command, const std::string& typed) {
   for (const CLI::Option* known : command.get_options())
     for (const std::string& name : known->get_lnames()) names.push_back(name);
   const std::size_t word = option.find_first_not_of('-');
-  return command_name(command) + " has no option '" + option + "'" +
-         (word < 2 ? "" : did_you_mean(option.substr(word), names, "--"));
+  std::string near = word < 2 ? "" : did_you_mean(option.substr(word), names, "--");
+  const Options missing = options_where(
+      command, [](const CLI::Option& each) { return is_missing(each) && !each.get_positional(); });
+  if (near.empty() && !missing.empty())
+    near = "; it needs " + missing.front()->get_name() + " " + missing.front()->get_type_name();
+  return command_name(command) + " has no option '" + option + "'" + near;
 }
 
 std::string needs_command(const CLI::App& command) {

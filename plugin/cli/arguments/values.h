@@ -37,6 +37,7 @@ std::string listed(const std::vector<std::string>& words, const std::string& las
 
 using reports::number_text;
 using reports::rounded;
+using reports::seconds_text;
 
 /// The word that was most likely meant: the nearest one by edit distance; empty if none is near.
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& words);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/arguments/vectors.h"
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <sstream>
@@ -48,6 +49,14 @@ occt::Plane parse_plane(const std::string& text, const std::string& what) {
   const double largest = max_norm(normal);
   if (largest == 0) throw UsageError(what + ": the normal of '" + text + "' is zero");
   return {{n[0], n[1], n[2]}, unit(normal * (1 / largest))};
+}
+
+Vec3 without_roundings(const Vec3& v) {
+  constexpr double kNothing = 1e-12;  // of the largest
+  Vec3 shown = v;
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(v[k]) <= kNothing * max_norm(v)) shown[k] = 0;
+  return shown;
 }
 
 std::string vector_text(const Vec3& v) {

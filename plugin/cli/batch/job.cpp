@@ -30,7 +30,8 @@ Json parsed(const std::string& line, const std::string& place) {
   if (!json.is_object())
     refuse(place, R"(is no job: {"id": "name", "arguments": ["info", "a.step"]})");
   for (const auto& [name, value] : json.items())
-    if (name != "id" && name != "arguments") refuse(place, "a job has no member '" + name + "'");
+    if (name != "id" && name != "arguments")
+      refuse(place, "'" + name + "' is no member of a job; it has \"id\" and \"arguments\"");
   return json;
 }
 

@@ -2,10 +2,9 @@
 #include "plugin/cli/batch/tally.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <sstream>
 
+#include "plugin/cli/arguments/values.h"
 #include "plugin/cli/exit_code.h"
 
 namespace blossom::cli {
@@ -31,12 +30,6 @@ std::string told(const Result& result) {
 }
 
 }  // namespace
-
-std::string seconds_text(double seconds) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), seconds < 1 ? "%.3f s" : "%.1f s", seconds);
-  return text.data();
-}
 
 void Tally::add(const Result& result) {
   Kind& kind = kinds_[static_cast<std::size_t>(result.status)];

@@ -15,9 +15,6 @@ namespace blossom::cli {
 inline constexpr std::size_t kMaxListed = 1'000;  ///< jobs of a kind that a report names
 inline constexpr std::size_t kMaxSlowest = 10;
 
-/// For summaries: "0.083 s", "12.3 s".
-std::string seconds_text(double seconds);
-
 class Tally {
  public:
   void add(const Result& result);

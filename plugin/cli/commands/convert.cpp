@@ -127,8 +127,10 @@ int run(const ConvertCommand& options) {
 }  // namespace
 
 void add_convert(CLI::App& app, int& exit_code) {
-  CLI::App* const command = app.add_subcommand(
-      "convert", "between file formats and forms; what was repaired in reading is written so");
+  CLI::App* const command =
+      app.add_subcommand("convert",
+                         "between file formats and forms, or to a mesh of triangles; what was "
+                         "repaired in reading is written so");
   const auto options = std::make_shared<ConvertCommand>();
   command
       ->add_option("input", options->input,

@@ -2,6 +2,7 @@
 // `blossom info F`: what a model is made of, and whether it is sound.
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iomanip>
 #include <memory>
@@ -73,17 +74,31 @@ std::string box_text(const Box& box) {
   return corner_text(box.low, size) + " to " + corner_text(box.high, size);
 }
 
+// Of a file's "MM" what people write.
+std::string unit_text(std::string unit) {
+  for (char& c : unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return unit;
+}
+
 std::string info_text(const Input& input, const ModelFacts& facts) {
   std::ostringstream text;
-  text << input.name << "\n ";
-  for (const auto& [number, one, many] : reports::shape_counts(reports::subject_of(input)))
-    text << " " << number << " " << (number == 1 ? one : many);
+  text << input.name << "\n  ";
+  const char* before = "";
+  for (const auto& [number, one, many] : reports::shape_counts(reports::subject_of(input))) {
+    text << before << number << " " << (number == 1 ? one : many);
+    before = ", ";
+  }
   text << "\n  surfaces:" << (facts.surfaces.empty() ? " none" : "");
-  for (const auto& [word, number] : facts.surfaces) text << " " << number << " " << word;
+  before = " ";
+  for (const auto& [word, number] : facts.surfaces) {
+    text << before << number << " " << word;
+    before = ", ";
+  }
   if (facts.box) text << "\n  box (mm): " << box_text(facts.box->box);
   if (facts.box && facts.box->precision > kUsualPrecision) text << ", to " << facts.box->precision;
   text << "\n  tolerances: " << facts.least_tolerance << " to " << facts.largest_tolerance << "\n  "
-       << (facts.valid ? "valid" : "NOT VALID") << ", file in " << input.model.file_unit() << "\n";
+       << (facts.valid ? "valid" : "NOT VALID") << ", file in "
+       << unit_text(input.model.file_unit()) << "\n";
   if (!facts.faces.empty())
     text << "  face  surface    form" << std::string(38, ' ') << "tolerance validity, name\n";
   for (const FaceFacts& face : facts.faces) text << face_line(face);

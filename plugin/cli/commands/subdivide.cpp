@@ -62,7 +62,7 @@ Json report_of(const NetInput& input, const nets::Subdivision& made) {
 std::string summary(const NetInput& input, const nets::Subdivision& made) {
   std::ostringstream text;
   text << input.name << ": " << counted(made.pieces.size(), "piece") << " of "
-       << counted(input.nets.size(), "net") << ", " << made.seconds << " s\n";
+       << counted(input.nets.size(), "net") << ", " << seconds_text(made.seconds) << "\n";
   return text.str();
 }
 
@@ -147,11 +147,13 @@ void add_subdivide(CLI::App& app, int& exit_code) {
   CLI::Option* const interval =
       command->add_option("--interval", options->interval, "this part of curves and of edges")
           ->expected(2)
+          ->delimiter(',')
           ->check(finite_number())
           ->type_name("A B");
   CLI::Option* const rectangle =
       command->add_option("--rectangle", options->rectangle, "this part of faces and patches")
           ->expected(4)
+          ->delimiter(',')
           ->check(finite_number())
           ->type_name("U0 U1 V0 V1")
           ->excludes(interval);
@@ -159,6 +161,7 @@ void add_subdivide(CLI::App& app, int& exit_code) {
       command
           ->add_option("--triangle", options->triangle, "the triangular patch over these corners")
           ->expected(6)
+          ->delimiter(',')
           ->check(finite_number())
           ->type_name("U0 V0 U1 V1 U2 V2")
           ->excludes(interval)
@@ -169,6 +172,7 @@ void add_subdivide(CLI::App& app, int& exit_code) {
   CLI::Option* const q =
       command->add_option("--q", options->q, "give pieces by their (q1,q2)-Bezier points")
           ->expected(2)
+          ->delimiter(',')
           ->check(finite_number())
           ->type_name("Q1 Q2");
   command

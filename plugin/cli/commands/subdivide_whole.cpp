@@ -7,6 +7,7 @@
 #include <TopoDS.hxx>
 
 #include "plugin/cli/arguments/inputs.h"
+#include "plugin/cli/arguments/values.h"
 #include "plugin/cli/commands/query/query_parts.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/picture/files.h"
@@ -48,7 +49,7 @@ std::string summary_of_whole(const std::string& name, const std::vector<WholePar
   std::ostringstream text;
   text << name << ": " << parts.size() << " B-spline "
        << (parts.front().source.face > 0 ? "surface" : "curve") << (parts.size() == 1 ? "" : "s")
-       << ", " << seconds << " s\n";
+       << ", " << seconds_text(seconds) << "\n";
   return text.str();
 }
 

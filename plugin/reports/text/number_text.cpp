@@ -9,6 +9,16 @@
 #include <cstdlib>
 
 namespace blossom::reports {
+namespace {
+
+double rounded_to(int digits, double value) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  return std::strtod(text.data(), nullptr);
+}
+
+}  // namespace
 
 std::string number_text(double value) {
   std::array<char, 32> digits{};
@@ -21,11 +31,8 @@ std::string number_text(double value) {
   return text;
 }
 
-double rounded(double value) {
-  if (value == 0 || !std::isfinite(value)) return value;
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.6g", value);
-  return std::strtod(digits.data(), nullptr);
-}
+double rounded(double value) { return rounded_to(6, value); }
+
+std::string seconds_text(double seconds) { return number_text(rounded_to(3, seconds)) + " s"; }
 
 }  // namespace blossom::reports

@@ -14,4 +14,7 @@ std::string number_text(double value);
 /// The nearest number of six digits, for summaries.
 double rounded(double value);
 
+/// "0.0124 s": a time in seconds, of three digits.
+std::string seconds_text(double seconds);
+
 }  // namespace blossom::reports

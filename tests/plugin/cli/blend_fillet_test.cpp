@@ -93,6 +93,15 @@ TEST_F(BlendFillet, RefusesARadiusThatIsTooLargeAndWritesNothing) {
   EXPECT_EQ(report["refused"][0]["edge"], 1);
   EXPECT_EQ(report["refused"][0]["fault"], "leaves face");
   EXPECT_EQ(report["refused"][0]["point"].size(), 3U);
+  EXPECT_EQ(ran.out.find("edge 1: "), std::string::npos) << "told twice: " << ran.out;
+}
+
+TEST_F(BlendFillet, TellsTheVolumeThatIsThere) {
+  const Finished ran = fillet({path("box.step"), "--edge", "3", "--radius", "2"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("\n  edge 3\n  volume 991.416 mm³, 8.58407 less than before\n"),
+            std::string::npos)
+      << ran.out;
 }
 
 TEST_F(BlendFillet, RoundsWhatCanBeRoundedWhenAskedForAPart) {

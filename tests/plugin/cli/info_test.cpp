@@ -128,7 +128,7 @@ TEST(InfoCommand, PrintsATableForPeople) {
   testing::write({testing::half_pipe()}, folder / "pipe.step");
   const Finished run = blossom({"info", folder / "pipe.step"});
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.out.find("1 face "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find(", 1 face, "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("degree 3 x 1, spans 1 x 1, rational"), std::string::npos) << run.out;
   EXPECT_EQ(run.err, "");
 }

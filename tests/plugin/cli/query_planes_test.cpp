@@ -149,6 +149,21 @@ double doubled_area(const json& part, const json& wire) {
   return area;
 }
 
+TEST_F(QueryPlanes, TellsWhatIsNotProvenAndWhy) {
+  testing::write({testing::bowl()}, folder_ / "bowl.brep");
+  file_ = folder_ / "bowl.brep";
+  const Finished many = run({"--offsets", "0:0.25:2"});
+  EXPECT_EQ(many.code, 3) << many.err;
+  EXPECT_NE(many.out.find(" (tolerance): the surfaces touch, or nearly, in places\n  plane 2"),
+            std::string::npos)
+      << many.out;
+  const Finished one = run({"--point", "0,0,0", "--normal", "0,0,1"});
+  EXPECT_EQ(one.code, 3) << one.err;
+  EXPECT_NE(one.out.find(", 1 contact within tolerance, "), std::string::npos) << one.out;
+  EXPECT_NE(one.out.find("  face 1: touching in a point near (0, 0, 0), "), std::string::npos)
+      << one.out;
+}
+
 TEST_F(QueryPlanes, TurnsOuterWiresCounterClockwiseAndHolesClockwise) {
   const json found = report({"--offsets", "1:1:1"});
   const json& plate = found["planes"][0]["parts"][0];

@@ -229,6 +229,7 @@ TEST_F(Subdivide, TakesWeightsBesideThePoints) {
   const Json made = pieces({path("curve.json"), "--interval", "0", "0.5"});
   EXPECT_EQ(made[0]["rational"], true);
   EXPECT_EQ(made[0]["points"], Json({{1, 0, 4, 1}, {0.5, 3, 2, 2}}));
+  EXPECT_EQ(pieces({path("curve.json"), "--interval", "0,0.5"}), made) << "as points are written";
 }
 
 TEST_F(Subdivide, WritesPiecesOfARationalFaceWithItsName) {

@@ -167,6 +167,16 @@ TEST_F(TrimSolidsCommand, PrintsVolumesForPeople) {
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("fuse, complete, 1 solid"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("volumes: part 48, tools "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("  checked: volumes add up within "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("nothing is cut"), std::string::npos) << run.out;
+}
+
+TEST_F(TrimSolidsCommand, TellsThatNothingIsCut) {
+  const Finished run = combine("beside.brep", {"cut"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("  nothing is cut: part and tools have no volume in common\n"),
+            std::string::npos)
+      << run.out;
 }
 
 TEST_F(TrimSolidsCommand, FusesSolidsThatShareAFace) {

@@ -66,6 +66,13 @@ TEST_F(TrimCommand, ReportsPiecesWithSidesAndAreas) {
   EXPECT_GT(report["certificate"]["certified"], 0);
 }
 
+TEST_F(TrimCommand, TellsWhyItIsWithinToleranceOnly) {
+  const Finished run = trim(0, {"--keep", "all"});
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.out.find("\n  the surfaces touch, or nearly, in places\n"), std::string::npos)
+      << run.out;
+}
+
 TEST_F(TrimCommand, WritesTheCapBelowTheLid) {
   const Finished run = trim(0.25, {"--keep", "below", "-o", folder / "cap.step", "--quiet"});
 

@@ -72,10 +72,50 @@ TEST(Summary, NamesPartsAndCountsOverlaps) {
                                 "--fail-on", "findings"});
   EXPECT_EQ(run.code, 5) << run.err;
   EXPECT_NE(run.out.find(", 1 overlap of about 9 mm², "), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("  part 1 x part 2, face 1 x face 2: coinciding over an area near "
+  EXPECT_NE(run.out.find("  part 1 x part 2, face 1 x face 2: overlap of about 9 mm² near "
                          "(0, 0, 0.25), 4.24264 across, gap 0 to "),
             std::string::npos)
       << run.out;
+  EXPECT_EQ(run.out.find("coinciding"), std::string::npos) << "told twice: " << run.out;
+}
+
+TEST(Summary, TellsAPointOfContactOnceAndRoundings) {
+  const testing::TestFolder folder;
+  testing::write({testing::bowl()}, folder / "bowl.brep");
+  testing::write({testing::lid(0)}, folder / "lid.brep");
+  const Finished run = blossom({"intersect", folder / "bowl.brep", folder / "lid.brep"});
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.out.find(": touching in a point near (0, 0, 0), "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find(": point near"), std::string::npos) << run.out;
+}
+
+TEST(Values, SecondsHaveThreeDigits) {
+  EXPECT_EQ(cli::seconds_text(0.0123456), "0.0123 s");
+  EXPECT_EQ(cli::seconds_text(12.3456), "12.3 s");
+  EXPECT_EQ(cli::seconds_text(0), "0 s");
+}
+
+TEST(Usage, TellsWhereACommandIsThatIsNotHere) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> rows{
+      {{"query", "clash", "a.step"}, "there is 'blossom clash': "},
+      {{"fillet", "a.step"}, "there is 'blossom blend fillet': "},
+      {{"query", "section", "a.step"}, "there is 'blossom query plane': the section of"},
+      {{"mesh", "a.step"}, "there is 'blossom convert': "},
+      {{"fuse", "a.step"}, "there is 'blossom trim': "},
+      {{"melt", "a.step"}, "there are info, check, "},
+  };
+  for (const auto& [words, hint] : rows) {
+    const Finished run = blossom(words);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find(hint), std::string::npos) << run.err;
+  }
+}
+
+TEST(Usage, TellsWhatIsNeededBesideAnOptionThatIsNotThere) {
+  const Finished run = blossom({"query", "point", "a.step", "--point", "1,2,3"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("has no option '--point'; it needs --at X,Y,Z\n"), std::string::npos)
+      << run.err;
 }
 
 TEST(EveryCommand, IsSilentWithQuietAndTakesVerbose) {

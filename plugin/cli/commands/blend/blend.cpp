@@ -76,7 +76,7 @@ std::string summary(const Input& a, const Input& b, const TimedStrip& timed, int
        << "\n  largest gap " << rounded(worst.gap) << ", largest angle between normals "
        << rounded(worst.normal_angle) << " rad";
   if (order > 1) text << ", difference of curvatures " << rounded(worst.curvature);
-  text << ", " << rounded(timed.seconds) << " s\n";
+  text << ", " << seconds_text(timed.seconds) << "\n";
   tell_fit(text, a, made.ends[0]);
   tell_fit(text, b, made.ends[1]);
   return text.str();

@@ -85,7 +85,7 @@ reports::FillWishes wishes_of(const FillCommand& command) {
 std::string summary(const Input& input, const reports::FillAnswer& holes) {
   std::ostringstream text;
   text << "filled " << counted(holes.filled(), "hole") << " of " << input.name << ", "
-       << rounded(holes.seconds) << " s\n";
+       << seconds_text(holes.seconds) << "\n";
   for (const reports::Hole& hole : holes.all) {
     if (hole.loop.empty()) {
       text << "  left out: " << hole.message << '\n';

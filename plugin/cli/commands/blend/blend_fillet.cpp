@@ -139,15 +139,19 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
   std::ostringstream text;
   const occt::FilletResult& made = timed.made;
   text << part.name << ": " << size_text(command) << ", ";
-  text << done_text(command, made) << ", " << timed.seconds << " s\n";
+  text << done_text(command, made) << ", " << seconds_text(timed.seconds) << "\n";
   if (!made.solids.empty()) {
     const double more = reports::volume_of(made) - made.volume_before;
-    text << "  edges " << comma_separated(made.edges) << "\n  volume "
-         << number_text(rounded(made.volume_before)) << " mm³, then "
-         << number_text(rounded(std::abs(more))) << (more < 0 ? " less" : " more") << "\n";
+    text << (made.edges.size() == 1 ? "  edge " : "  edges ") << comma_separated(made.edges)
+         << "\n  volume " << number_text(rounded(made.volume_before + more)) << " mm³, "
+         << number_text(rounded(std::abs(more))) << (more < 0 ? " less" : " more")
+         << " than before\n";
   }
   for (const std::string& note : made.notes) text << "  " << note << "\n";
-  for (const occt::FilletRefusal& refusal : made.refused) text << "  " << refusal.text() << "\n";
+  // Where nothing was made, the first is on stderr.
+  const std::size_t told = made.solids.empty() ? 1 : 0;
+  for (std::size_t i = told; i < made.refused.size(); ++i)
+    text << "  " << made.refused[i].text() << "\n";
   return text.str();
 }
 

@@ -31,7 +31,34 @@ const char* words_of(PlaceKind kind) {
 std::string short_number(double value) { return number_text(rounded(value)); }
 
 std::string near_text(const Vec3& point) {
-  return "near " + vector_text({rounded(point[0]), rounded(point[1]), rounded(point[2])});
+  const Vec3 shown = without_roundings(point);
+  return "near " + vector_text({rounded(shown[0]), rounded(shown[1]), rounded(shown[2])});
+}
+
+std::string gap_text(const Place& place) {
+  return "gap " + short_number(place.gap_low) + " to " + short_number(place.gap_high);
+}
+
+// The places of a pair that tell of its overlaps, in their order; none if they are not as many.
+std::vector<const Place*> places_of_overlaps(const occt::FaceIntersection& pair) {
+  std::vector<const Place*> places;
+  for (const Place& place : pair.found.places)
+    if (place.kind == PlaceKind::Overlap) places.push_back(&place);
+  if (places.size() != pair.found.overlaps.size()) places.clear();
+  return places;
+}
+
+bool is_in(const Place& place, const Vec3& point) {
+  bool inside = true;
+  for (int k = 0; k < 3; ++k)
+    inside = inside && place.box_low[k] <= point[k] && point[k] <= place.box_high[k];
+  return inside;
+}
+
+std::vector<Vec3> points_of(const occt::FaceIntersection& pair) {
+  std::vector<Vec3> points;
+  for (const SurfacePoint& point : pair.found.points) points.push_back(point.point);
+  return points;
 }
 
 // The corner of the boundary farthest from nothing in particular would do; its middle tells more.
@@ -55,12 +82,17 @@ void list_findings(const Input& a, const PairNames& names, const occt::FaceInter
                    std::ostream& text) {
   const std::string head = "  " + names.of(pair) + ": ";
   const bool detail = verbosity() == Verbosity::Verbose;
-  for (const Overlap& overlap : pair.found.overlaps)
-    text << head << overlap_text(a, pair, overlap) << "\n";
+  const std::vector<const Place*> gaps = places_of_overlaps(pair);
+  for (std::size_t i = 0; i < pair.found.overlaps.size(); ++i)
+    text << head << overlap_text(a, pair, pair.found.overlaps[i])
+         << (gaps.empty() ? "" : ", " + gap_text(*gaps[i])) << "\n";
   for (const CurveChain& chain : pair.chains)
     text << head << curve_text(pair, chain, detail) << "\n";
   for (const SurfacePoint& point : pair.found.points)
-    text << head << "point " << near_text(point.point) << "\n";
+    if (std::ranges::none_of(pair.found.places, [&](const Place& place) {
+          return reports::is_contact(place) && is_in(place, point.point);
+        }))
+      text << head << "point " << near_text(point.point) << "\n";
   for (const SurfacePoint& node : pair.found.nodes)
     text << head << "branching point " << near_text(node.point) << "\n";
 }
@@ -68,9 +100,12 @@ void list_findings(const Input& a, const PairNames& names, const occt::FaceInter
 void list_places(const PairNames& names, const occt::ShapeIntersection& found, std::ostream& text) {
   constexpr std::size_t kFew = 20;
   std::vector<std::string> lines;
-  for (const occt::FaceIntersection& pair : found.pairs)
+  for (const occt::FaceIntersection& pair : found.pairs) {
+    const bool told = !places_of_overlaps(pair).empty();
     for (const Place& place : pair.found.places)
-      lines.push_back("  " + names.of(pair) + ": " + place_text(place) + "\n");
+      if (!told || place.kind != PlaceKind::Overlap)
+        lines.push_back("  " + names.of(pair) + ": " + place_text(place, points_of(pair)) + "\n");
+  }
   const bool all = verbosity() == Verbosity::Verbose || lines.size() <= kFew;
   for (std::size_t i = 0; i < (all ? lines.size() : kFew); ++i) text << lines[i];
   if (!all) text << "  and " << lines.size() - kFew << " more such places, which -v lists\n";
@@ -153,11 +188,13 @@ std::string curve_text(const occt::FaceIntersection& pair, const CurveChain& cha
   return text.str();
 }
 
-std::string place_text(const Place& place) {
-  const Vec3 centre = (place.box_low + place.box_high) * 0.5;
-  return std::string(words_of(place.kind)) + " " + near_text(centre) + ", " +
-         short_number(distance(place.box_low, place.box_high)) + " across, gap " +
-         short_number(place.gap_low) + " to " + short_number(place.gap_high);
+std::string place_text(const Place& place, const std::vector<Vec3>& points) {
+  const auto known =
+      std::ranges::find_if(points, [&](const Vec3& point) { return is_in(place, point); });
+  const bool at_point = known != points.end() && reports::is_contact(place);
+  const Vec3 where = at_point ? *known : (place.box_low + place.box_high) * 0.5;
+  return std::string(words_of(place.kind)) + " " + near_text(where) + ", " +
+         short_number(distance(place.box_low, place.box_high)) + " across, " + gap_text(place);
 }
 
 std::string intersection_text(const Input& a, const Input& b, const std::string& title,
@@ -168,7 +205,7 @@ std::string intersection_text(const Input& a, const Input& b, const std::string&
   text << title << ": ";
   if (&a == &b) text << reports::verdict_of(found) << ", ";
   text << to_string(stated(found.status)) << ", " << counts_text(counts) << ", "
-       << short_number(times.seconds) << " s\n";
+       << seconds_text(times.seconds) << "\n";
   const PairNames names(a, b);
   for (const occt::FaceIntersection& pair : found.pairs) list_findings(a, names, pair, text);
   list_places(names, found, text);

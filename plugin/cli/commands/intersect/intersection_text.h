@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "adapters/occt/intersection.h"
 #include "plugin/cli/arguments/inputs.h"
@@ -49,7 +50,8 @@ class PairNames {
 std::string curve_text(const occt::FaceIntersection& pair, const CurveChain& chain, bool detail);
 
 /// "touching in a point near (1, 2, 3), 1e-6 across, gap 0 to 1e-9".
-std::string place_text(const Place& place);
+/// points   known ones: a contact is near that which it holds, else near its middle
+std::string place_text(const Place& place, const std::vector<Vec3>& points = {});
 
 /// About the area of an overlap of a pair, square model units.
 double overlap_area(const Input& a, const occt::FaceIntersection& pair, const Overlap& overlap);

@@ -102,7 +102,7 @@ MeshCurves with_cgal(std::optional<MeshCurves> found) {
 std::string text_of(const MeshPair& pair, const std::array<const MeshSource*, 2>& inputs) {
   std::ostringstream text;
   text << pair.a << " x " << pair.b << ": " << to_string(pair.status()) << ", "
-       << counts_text(pair.found) << ", " << pair.seconds << " s\n";
+       << counts_text(pair.found) << ", " << seconds_text(pair.seconds) << "\n";
   for (const MeshSource* const input : inputs) {
     if (input->distance() > 0)
       text << "  " << input->name() << " is meshed within "
@@ -118,7 +118,7 @@ std::string text_of(const std::string& input, const SectionsAnswer& answer,
                     const std::vector<PlaneOfMesh>& planes) {
   std::ostringstream text;
   text << input << ": " << to_string(answer.status) << ", " << counted(planes.size(), "plane")
-       << ", " << answer.seconds << " s\n";
+       << ", " << seconds_text(answer.seconds) << "\n";
   for (const PlaneOfMesh& plane : planes)
     text << "  " << plane.name << ": " << counts_text(plane.found) << "\n"
          << notes_text(plane.found, "plane", "triangles lie in the plane");

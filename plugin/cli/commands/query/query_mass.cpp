@@ -27,7 +27,7 @@ std::string mass_text(const occt::Mass& mass) {
   std::ostringstream text;
   text.precision(12);
   if (mass.is_solid) text << "volume " << mass.volume << " mm³, ";
-  text << "area " << mass.area << " mm², centre " << vector_text(mass.centre);
+  text << "area " << mass.area << " mm², centre " << vector_text(without_roundings(mass.centre));
   if (mass.is_solid && mass.volume < 0) text << ", turned inwards";
   return text.str();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom query plane F --point P --normal N`: the section of a model with a plane, or with many.
 
+#include <algorithm>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -9,12 +10,16 @@
 #include "adapters/occt/plane_section.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/arguments/options.h"
+#include "plugin/cli/arguments/values.h"
+#include "plugin/cli/commands/intersect/intersection_text.h"
 #include "plugin/cli/commands/meshes/mesh_meetings.h"
 #include "plugin/cli/commands/meshes/meshed_input.h"
 #include "plugin/cli/commands/query/query_parts.h"
 #include "plugin/cli/commands/query/query_planes.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/reading.h"
+#include "plugin/cli/output/reasons.h"
+#include "plugin/cli/output/verbosity.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
@@ -49,6 +54,20 @@ occt::Plane plane_of(const PlaneCommand& options) {
   return plane;
 }
 
+void list_places(const Input& input, const occt::PlaneSection& section, std::ostream& text) {
+  constexpr std::size_t kFew = 20;
+  std::vector<Vec3> points;
+  for (const std::size_t node : section.points) points.push_back(section.nodes[node].point);
+  const bool all = verbosity() == Verbosity::Verbose || section.places.size() <= kFew;
+  for (std::size_t i = 0; i < (all ? section.places.size() : kFew); ++i) {
+    const auto& [face, place] = section.places[i];
+    text << "  face " << input.numbers[static_cast<std::size_t>(face)] << ": "
+         << place_text(place, points) << "\n";
+  }
+  if (!all)
+    text << "  and " << section.places.size() - kFew << " more such places, which -v lists\n";
+}
+
 std::string text_of(const Input& input, const Answer& answer) {
   const occt::PlaneSection& section = answer.section;
   std::ostringstream text;
@@ -57,16 +76,21 @@ std::string text_of(const Input& input, const Answer& answer) {
        << counted(section.wires.size(), "wire") << ", " << counted(section.curves.size(), "curve")
        << ", " << counted(section.points.size(), "point") << ", "
        << counted(section.faces_in_plane.size(), "face") << " in the plane";
-  if (!section.places.empty())
-    text << ", " << counted(section.places.size(), "contact") << " or unresolved regions";
-  text << ", " << answer.seconds << " s\n";
+  const auto open = static_cast<std::size_t>(std::ranges::count_if(
+      section.places, [](const auto& each) { return each.place.kind == PlaceKind::Open; }));
+  if (const std::size_t contacts = section.places.size() - open; contacts > 0)
+    text << ", " << counted(contacts, "contact") << " within tolerance";
+  if (open > 0) text << ", " << counted(open, "unresolved region");
+  text << ", " << seconds_text(answer.seconds) << "\n";
   for (const occt::SectionWire& wire : section.wires)
     text << "  " << (wire.closed ? "closed" : "open") << ", " << counted(wire.uses.size(), "curve")
          << ", length " << wire.length
          << (wire.bounding ? "\n" : ", inside the section or only touching\n");
   for (const std::size_t node : section.points)
-    text << "  point " << vector_text(section.nodes[node].point) << "\n";
-  for (const std::string& reason : section.certificate.reasons) text << "  " << reason << "\n";
+    text << "  point " << vector_text(without_roundings(section.nodes[node].point)) << "\n";
+  list_places(input, section, text);
+  for (const std::string& reason : told_reasons(section.certificate, Contacts::Listed))
+    text << "  " << reason << "\n";
   return text.str();
 }
 

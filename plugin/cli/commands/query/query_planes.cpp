@@ -15,6 +15,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
+#include "plugin/cli/output/reasons.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
@@ -33,10 +34,30 @@ constexpr long kMostPlanes = 100'000;
 
 std::string offset_text(double offset) { return number_text(rounded(offset)); }
 
+// What is not proven in a plane, and why: a line for all parts of which the same is said.
+std::string not_proven(const SectionsOfPlane& plane) {
+  constexpr std::size_t kFew = 3;
+  std::map<std::string, std::vector<std::string>> parts;
+  for (const PartSection& part : plane.parts) {
+    if (part.section.status == Status::Complete) continue;
+    std::string why;
+    for (const std::string& reason : told_reasons(part.section.certificate, Contacts::NotListed))
+      why += (why.empty() ? ": " : "; ") + reason;
+    parts[why].push_back(part.name + " (" + to_string(stated(part.section.status)) + ")");
+  }
+  std::string text;
+  for (auto& [why, names] : parts) {
+    const std::size_t more = names.size() > kFew ? names.size() - kFew : 0;
+    if (more > 0) names.resize(kFew);
+    if (more > 0) names.push_back(std::to_string(more) + " more");
+    text += "    in " + listed(names, "and") + why + "\n";
+  }
+  return text;
+}
+
 std::string plane_line(const SectionsOfPlane& plane) {
   std::size_t wires = 0, open = 0, inner = 0, points = 0;
   double length = 0;
-  std::string status;
   for (const PartSection& part : plane.parts) {
     points += part.section.points.size();
     for (const occt::SectionWire& wire : part.section.wires) {
@@ -45,8 +66,6 @@ std::string plane_line(const SectionsOfPlane& plane) {
       inner += wire.bounding ? 0 : 1;
       length += wire.length;
     }
-    if (part.section.status != Status::Complete)
-      status = std::string(", ") + to_string(part.section.status) + " in " + part.name;
   }
   std::string text = "  " + plane.plane.name + ": " + counted(wires, "wire");
   if (open > 0) text += " (" + std::to_string(open) + " open)";
@@ -54,13 +73,13 @@ std::string plane_line(const SectionsOfPlane& plane) {
   if (points > 0) text += ", " + counted(points, "point");
   if (wires > 0) text += ", length " + number_text(rounded(length));
   if (plane.parts.size() > 1) text += ", " + counted(plane.parts.size(), "part");
-  return text + status + "\n";
+  return text + "\n" + not_proven(plane);
 }
 
 std::string text_of(const Input& input, const SectionsAnswer& answer) {
   std::ostringstream text;
   text << input.name << ": " << to_string(stated(answer.status)) << ", "
-       << counted(answer.planes.size(), "plane") << ", " << answer.seconds << " s\n";
+       << counted(answer.planes.size(), "plane") << ", " << seconds_text(answer.seconds) << "\n";
   for (const SectionsOfPlane& plane : answer.planes) text << plane_line(plane);
   return text.str();
 }

@@ -24,6 +24,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
+#include "plugin/cli/output/reasons.h"
 #include "plugin/cli/output/watertight_output.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
@@ -110,12 +111,15 @@ std::string summary(const Inputs& inputs, const FaceLabels& labels, const TimedT
   text << inputs.part.name << ": " << to_string(stated(timed.made.status)) << ", "
        << counted(timed.made.areas.size(), "face") << " in "
        << counted(timed.made.pieces.size(), "piece") << ", " << kept_count(timed.made) << " kept, "
-       << timed.seconds << " s\n";
+       << seconds_text(timed.seconds) << "\n";
   for (const occt::TrimPiece& piece : timed.made.pieces)
     text << "  piece " << piece.number << " of " << labels.of(piece.face) << ": "
          << side_text(piece.side) << ", area " << number_text(rounded(piece.area)) << " mm²"
          << (piece.kept ? "" : ", left out") << "\n";
   for (const std::string& note : timed.made.notes) text << "  " << note << "\n";
+  if (timed.made.status != Status::Complete)
+    for (const std::string& reason : told_reasons(timed.made.certificate, Contacts::NotListed))
+      text << "  " << reason << "\n";
   return text.str();
 }
 
@@ -214,8 +218,9 @@ int run(const TrimCommand& options) {
 }  // namespace
 
 void add_trim(CLI::App& app, int& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("trim", "a part cut along its intersections with tools");
+  CLI::App* const command = app.add_subcommand(
+      "trim",
+      "a part cut along its intersections with tools; with --solid cut, common, fuse and split");
   const auto options = std::make_shared<TrimCommand>();
   command->add_option("part", options->part, "model to be cut, or some of its faces")
       ->required()

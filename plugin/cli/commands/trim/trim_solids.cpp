@@ -25,6 +25,7 @@
 #include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
+#include "plugin/cli/output/reasons.h"
 #include "plugin/cli/output/verbosity.h"
 #include "plugin/cli/output/watertight_output.h"
 #include "plugin/cli/picture/files.h"
@@ -138,6 +139,12 @@ std::string counted_shapes(const occt::SolidTrimResult& made) {
                         : counted(made.solids.size(), "solid");
 }
 
+bool cuts_nothing(const SolidTrim& options, const occt::SolidTrimResult& made) {
+  const bool cuts = options.operation == "cut" || options.operation == "split";
+  return cuts && !options.tools.empty() && options.planes.empty() && !made.volumes.empty() &&
+         std::ranges::all_of(made.volumes, [](const auto& step) { return step.common == 0; });
+}
+
 // Of the inputs and the result, and how well those of all steps add up.
 std::string told_volumes(const SolidTrim& options, const occt::SolidTrimResult& made) {
   const auto number = [](double value) { return number_text(rounded(value)); };
@@ -149,6 +156,8 @@ std::string told_volumes(const SolidTrim& options, const occt::SolidTrimResult& 
     text << "  volumes: part " << number(made.total.part);
     if (!options.tools.empty()) text << ", tools " << number(made.total.tools);
     text << ", result " << number(made.total.result) << " mm³\n";
+    if (cuts_nothing(options, made))
+      text << "  nothing is cut: part and tools have no volume in common\n";
   }
   double cut = 0, fuse = 0;
   std::size_t count = 0;
@@ -161,15 +170,16 @@ std::string told_volumes(const SolidTrim& options, const occt::SolidTrimResult& 
          << number(step.fuse) << " mm³\n";
   }
   if (count > 0)
-    text << "  the volumes of " << counted(count, "step") << " add up within " << number(cut)
-         << " (cut) and " << number(fuse) << " (fuse) of the whole\n";
+    text << "  checked: " << (made.of_sheets ? "areas" : "volumes") << " add up within "
+         << number(std::max(cut, fuse)) << " of the whole"
+         << (count > 1 ? ", in each of " + counted(count, "step") : "") << "\n";
   return text.str();
 }
 
 std::string summary(const SolidTrim& options, const TimedSolids& timed) {
   std::ostringstream text;
   text << options.part << ": " << options.operation << ", " << to_string(stated(timed.made.status))
-       << ", " << counted_shapes(timed.made) << ", " << timed.seconds << " s\n";
+       << ", " << counted_shapes(timed.made) << ", " << seconds_text(timed.seconds) << "\n";
   if (!timed.made.open_part.empty())
     text << "  " << options.part << " is taken as a sheet: " << timed.made.open_part << "\n";
   text << told_volumes(options, timed.made);
@@ -180,7 +190,8 @@ std::string summary(const SolidTrim& options, const TimedSolids& timed) {
   for (const std::string& idle : timed.idle) text << "  " << idle << "\n";
   for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
   if (timed.made.status != Status::Complete)
-    for (const std::string& reason : timed.made.certificate.reasons) text << "  " << reason << "\n";
+    for (const std::string& reason : told_reasons(timed.made.certificate, Contacts::NotListed))
+      text << "  " << reason << "\n";
   return text.str();
 }
 
