@@ -15,12 +15,14 @@
 #include "plugin/cli/arguments/options.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/arguments/vectors.h"
+#include "plugin/cli/commands/clash_picture.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/query/query_parts.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
 #include "plugin/cli/output/verbosity.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
 #include "plugin/reports/queries/clash.h"
@@ -61,8 +63,8 @@ std::string details(const ClashRow& row, const ClashAnswer& answer) {
   if (row.clash == nullptr) return "at least " + number(row.lower);
   const occt::Clash& clash = *row.clash;
   std::string text;
-  if (clash.relation == occt::Relation::AInsideB) text = answer.parts[row.a].name + " is inside, ";
-  if (clash.relation == occt::Relation::BInsideA) text = answer.parts[row.b].name + " is inside, ";
+  if (clash.relation == occt::Relation::AInsideB) text = told_name(answer, row.a) + " is inside, ";
+  if (clash.relation == occt::Relation::BInsideA) text = told_name(answer, row.b) + " is inside, ";
   if (clash.common)
     text += "volume " + number(clash.common->volume) + " mm³, depth " +
             bounds(clash.common->lower, clash.common->upper) + ", deepest at " +
@@ -88,10 +90,17 @@ std::string counts_text(const std::vector<ClashRow>& near, std::size_t all) {
   return text;
 }
 
+// "6 parts, 15 pairs, 2 penetrates, 13 clear".
+std::string counted_pairs(const ClashAnswer& answer) {
+  const std::size_t all = reports::pair_count(answer);
+  return counted(answer.parts.size(), "part") + ", " + counted(all, "pair") +
+         counts_text(reports::rows_of(answer, reports::ClashRows::Near), all);
+}
+
 std::size_t width_of(const std::vector<ClashRow>& rows, const ClashAnswer& answer,
                      std::size_t ClashRow::*side) {
   std::size_t width = 0;
-  for (const ClashRow& row : rows) width = std::max(width, answer.parts[row.*side].name.size());
+  for (const ClashRow& row : rows) width = std::max(width, told_name(answer, row.*side).size());
   return width + 2;
 }
 
@@ -101,9 +110,8 @@ std::string clash_text(const ClashAnswer& answer) {
   std::ostringstream text;
   text << answer.inputs.front()->name;
   if (answer.inputs.size() > 1) text << " - " << answer.inputs.back()->name;
-  text << ": " << to_string(stated(status_of(answer))) << ", "
-       << counted(answer.parts.size(), "part") << ", " << counted(all, "pair")
-       << counts_text(rows, all) << ", " << answer.seconds << " s\n";
+  text << ": " << to_string(stated(status_of(answer))) << ", " << counted_pairs(answer) << ", "
+       << seconds_text(answer.seconds) << "\n";
   if (answer.lists_far)
     rows = reports::rows_of(answer, reports::ClashRows::All);
   else if (verbosity() != Verbosity::Verbose)
@@ -114,8 +122,8 @@ std::string clash_text(const ClashAnswer& answer) {
   const std::size_t a = width_of(rows, answer, &ClashRow::a);
   const std::size_t b = width_of(rows, answer, &ClashRow::b);
   for (const ClashRow& row : rows)
-    text << "  " << padded(clash_word(row), 12) << padded(answer.parts[row.a].name, a)
-         << padded(answer.parts[row.b].name, b) << details(row, answer) << "\n";
+    text << "  " << padded(clash_word(row), 12) << padded(told_name(answer, row.a), a)
+         << padded(told_name(answer, row.b), b) << details(row, answer) << "\n";
   if (rows.size() < all)
     text << "  " << counted(all - rows.size(), "pair")
          << (answer.clearance ? " farther apart than " + number(*answer.clearance)
@@ -135,7 +143,10 @@ void write_common(const ClashAnswer& answer, const std::string& file) {
 
 int write_outputs(const ClashAnswer& answer, const CommonOptions& common) {
   stop_if_interrupted();
+  const std::vector<PictureFile> pictures =
+      picture_files(common, [&] { return clash_picture(answer, counted_pairs(answer)); });
   if (!common.output.empty()) write_common(answer, common.output);
+  write_pictures(pictures);
   if (!common.table.empty()) occt::write_text(reports::clash_csv(answer), common.table);
   if (!common.json.empty()) write_json(reports::clash_report(answer), common.json);
   print_summary(clash_text(answer), common.json);
@@ -181,12 +192,8 @@ void add_clash(CLI::App& app, int& exit_code) {
       ->type_name("D");
   command->add_flag("--far", options->far,
                     "list pairs of which only the boxes were looked at, too: they are many");
-  command
-      ->add_option("-o,--output", options->common.output,
-                   "write the common bodies (.step, .brep, .iges)")
-      ->type_name("FILE");
+  add_common_options(*command, options->common, "write the common bodies (.step, .brep, .iges)");
   add_table(*command, options->common, "each pair that is listed");
-  add_report_options(*command, options->common);
   add_fail_on(*command, options->common);
   add_engine_options(*command, options->engine);
   command->callback([options, &exit_code] { exit_code = run(*options); });

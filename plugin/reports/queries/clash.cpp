@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <string_view>
@@ -180,6 +181,12 @@ occt::Model common_bodies(const ClashAnswer& answer) {
       model.add(solid, answer.parts[row.a].name + " x " + answer.parts[row.b].name);
   }
   return model;
+}
+
+std::string told_name(const ClashAnswer& answer, std::size_t part) {
+  const NamedPart& named = answer.parts[part];
+  if (answer.inputs.size() < 2 || !named.part.empty()) return named.name;
+  return std::filesystem::path(named.input->name).filename().string() + " " + named.name;
 }
 
 std::size_t pair_count(const ClashAnswer& answer) {

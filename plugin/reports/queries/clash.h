@@ -43,6 +43,9 @@ struct ClashRow {
   double lower = 0;                    ///< bound on the distance, model units
 };
 
+/// The name of a part in words: of two models a solid without one has the name of its file.
+std::string told_name(const ClashAnswer& answer, std::size_t part);
+
 /// How many pairs there are.
 std::size_t pair_count(const ClashAnswer& answer);
 

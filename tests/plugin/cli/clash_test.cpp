@@ -173,6 +173,28 @@ TEST_F(ClashCommand, WritesTheCommonBodies) {
   EXPECT_EQ(model.part_name(model.face_count()), "Case x Marble");
 }
 
+TEST_F(ClashCommand, ShowsPartsAndWhatTheyHaveInCommon) {
+  const std::string file = file_of(machine(), "machine.step");
+  const std::string picture = folder_ / "machine.png", page = folder_ / "machine.html";
+  const Finished run = blossom({"clash", file, "--picture", picture, "--html", page});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(testing::text_of(picture).substr(1, 3), "PNG");
+  const std::string text = testing::text_of(page);
+  for (const char* told : {"clashes of machine.step", "parts that clash", "in common", "touching",
+                           "Shaft and Bearing"})
+    EXPECT_NE(text.find(told), std::string::npos) << told;
+}
+
+TEST_F(ClashCommand, TellsSolidsWithoutNamesOfTwoModelsByTheirFiles) {
+  const std::string a = file_of({{"", box(0, 0, 0, 2, 2, 2)}}, "a.brep");
+  const std::string b = file_of({{"", box(1, 1, 1, 2, 2, 2)}}, "b.brep");
+  const Finished run = blossom({"clash", a, b});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("  penetrates  a.brep solid 1  b.brep solid 1  volume 1 mm³"),
+            std::string::npos)
+      << run.out;
+}
+
 TEST_F(ClashCommand, MeasuresDistancesUpToAClearance) {
   const std::string file = file_of(
       {{"a", box(0, 0, 0, 1, 1, 1)}, {"b", box(1.5, 0, 0, 1, 1, 1)}, {"c", box(4, 0, 0, 1, 1, 1)}},
