@@ -339,12 +339,30 @@ def fillet_rounds_edges(document):
     )
 
 
+def answers_tell_why_they_are_not_complete(document):
+    bowl = Part.BezierSurface()  # z = x^2 + y^2 over [-1, 1]^2
+    bowl.increase(2, 2)
+    square = (1, -1, 1)
+    for i in range(3):
+        for j in range(3):
+            bowl.setPole(i + 1, j + 1, V(i - 1, j - 1, square[i] + square[j]))
+    face = shaped(document, "Bowl", bowl.toShape())
+    cut = make.section(document, face, Point=V(0, 0, 0.25))
+    document.recompute()
+    claim("what is complete has no reasons", (cut.Status, cut.Reasons) == ("complete", []))
+    cut.Point = V(0, 0, 0)
+    document.recompute()
+    why = ["the surfaces touch, or nearly, in places"]
+    claim("what is not tells why", (cut.Status, cut.Reasons) == ("tolerance", why))
+
+
 run(
     intersection_is_where_containers_have_put_the_faces,
     intersection_that_is_empty_is_an_answer,
     section_has_closed_wires,
     sections_are_exported_as_drawings,
     section_follows_a_plane,
+    answers_tell_why_they_are_not_complete,
     trim_keeps_sides_and_picked_pieces,
     solids_add_up,
     check_colours_what_is_wrong,

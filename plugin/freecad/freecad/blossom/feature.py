@@ -47,6 +47,7 @@ _FACT_TYPES = {
     "words": "App::PropertyStringList",
     "counts": "App::PropertyIntegerList",
 }
+REASONS = Fact("Reasons", "words", "Why the status is not complete")
 # What users can mend; a full disk is an OSError.
 MENDABLE = (ValueError, RuntimeError, OSError)
 _READ_ONLY, _HIDDEN = 1, 4  # as addProperty wants them
@@ -220,6 +221,24 @@ class Feature:
         if gone and self.linked(obj) == left:
             prop, member = gone[0].split(": ", 1)
             raise ValueError(f"{prop}: {member.split('.')[0]} was deleted; choose others")
+
+
+def reasons_of(report):
+    """Why a report's status is not "complete": of all its certificates, each once."""
+    found = {}  # in order
+    if report["status"] != "complete":
+        _add_reasons(report, found)
+    return [each.replace("in the listed contacts", "in places") for each in found]
+
+
+def _add_reasons(told, found):
+    if isinstance(told, dict):
+        found.update(dict.fromkeys((told.get("certificate") or {}).get("reasons", [])))
+        told = list(told.values())
+    if isinstance(told, list):
+        for each in told:
+            if isinstance(each, (dict, list)):
+                _add_reasons(each, found)
 
 
 def _added(obj, kind, name, *more):

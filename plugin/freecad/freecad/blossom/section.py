@@ -5,7 +5,7 @@ import FreeCAD
 import Part
 
 from . import links
-from .feature import TOLERANCE, Choice, Fact, Feature, Link
+from .feature import REASONS, TOLERANCE, Choice, Fact, Feature, Link, reasons_of
 
 MOST_PLANES = 10000
 DIGITS = 4  # after the point, of a middle: as many as fields show
@@ -31,6 +31,7 @@ class Section(Feature):
     )
     FACTS = (
         Fact("Status", "word", "The weakest of all planes"),
+        REASONS,
         Fact("Wires", "count", "How many wires there are"),
         Fact("Closed", "count", "How many of them are closed"),
         Fact("Length", "length", "Of all wires, mm"),
@@ -86,6 +87,7 @@ class Section(Feature):
         wires = [wire for plane in planes for wire in plane]
         return {
             "Status": report["status"],
+            "Reasons": reasons_of(report),
             "Wires": len(wires),
             "Closed": sum(wire["closed"] for wire in wires),
             "Length": sum(wire["length"] for wire in wires),

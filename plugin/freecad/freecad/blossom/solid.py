@@ -2,7 +2,7 @@
 """Closed solids, or sheets, combined: cut, common, fuse, split."""
 
 from . import links
-from .feature import TOLERANCE, Choice, Fact, Feature, Link
+from .feature import REASONS, TOLERANCE, Choice, Fact, Feature, Link, reasons_of
 
 
 class Solid(Feature):
@@ -22,6 +22,7 @@ class Solid(Feature):
     )  # fmt: skip
     FACTS = (
         Fact("Status", "word", "That of the intersection"),
+        REASONS,
         Fact("Solids", "count", "How many solids came out"),
         Fact("Volume", "volume", "Of what came out, cubic mm"),
         Fact("Area", "area", "Of the sheets that came out, square mm"),
@@ -43,6 +44,7 @@ class Solid(Feature):
     def facts(self, report):
         return {
             "Status": report["status"],
+            "Reasons": reasons_of(report),
             "Solids": len(report["solids"]),
             "Volume": report["total"]["result"],
             "Area": report["areas"]["result"],

@@ -6,7 +6,7 @@ import Part
 
 from . import links
 from .door import Answer
-from .feature import TOLERANCE, Choice, Fact, Feature, Link
+from .feature import REASONS, TOLERANCE, Choice, Fact, Feature, Link, reasons_of
 
 PICKED = "picked"
 # By turns, so that neighbours can be told apart.
@@ -35,6 +35,7 @@ class Trim(Feature):
     )  # fmt: skip
     FACTS = (
         Fact("Status", "word", "That of the intersection"),
+        REASONS,
         Fact("Pieces", "count", "In how many pieces the faces fall"),
         Fact("Area", "area", "Of what is kept, square mm"),
         Fact("Notes", "words", "What was left out, and why"),
@@ -62,6 +63,7 @@ class Trim(Feature):
     def facts(self, report):
         return {
             "Status": report["status"],
+            "Reasons": reasons_of(report),
             "Pieces": len(report["pieces"]),
             "Notes": report["notes"],
         }
