@@ -222,6 +222,8 @@ def clash():
     claim("parts have colours", len(set(found_pairs.ViewObject.DiffuseColor)) == 3)
     table = widget(QtWidgets.QTableWidget, "BlossomPairs")
     claim("the table begins with the worst", table.item(0, 0).text() == "Plate and Pin")
+    rows = range(table.rowCount())
+    claim("rows show all", all(table.rowHeight(i) >= table.sizeHintForRow(i) for i in rows))
     table.selectRow(0)
     chosen = FreeCADGui.Selection.getSelectionEx()
     claim("a row selects both solids", len(chosen[0].SubElementNames) == 6 + 3)

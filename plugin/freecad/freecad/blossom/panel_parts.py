@@ -11,6 +11,7 @@ from . import check, clash, links, selection, trim
 
 _ROW = 18  # pixels of a line in lists
 _TABLE = 150  # pixels, at most
+_WIDEST = 0.4  # of a table's width, its first column
 _UNITS = {"length": "mm", "area": "mm²", "volume": "mm³", "angle": "rad"}  # of facts
 
 
@@ -216,6 +217,8 @@ class FoundTable(QtGui.QTableWidget):
         self.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.setWordWrap(True)
         self.setMaximumHeight(_TABLE)
+        # What comes later would make the lines longer than the rows are high.
+        self.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOn)
         self.itemSelectionChanged.connect(self._show_elements)
 
     def rows_of(self, report):
@@ -230,6 +233,7 @@ class FoundTable(QtGui.QTableWidget):
             for column, text in enumerate(texts):
                 self.setItem(row, column, QtGui.QTableWidgetItem(text))
         self.resizeColumnToContents(0)
+        self.setColumnWidth(0, min(self.columnWidth(0), int(_WIDEST * self.viewport().width())))
         self.resizeRowsToContents()
 
     def _show_elements(self):
