@@ -9,6 +9,7 @@
 
 #include "core/forms/algebra/interpolation.h"
 #include "core/math/functions/sign_change.h"
+#include "core/math/golden_section.h"
 
 namespace blossom {
 namespace {
@@ -20,39 +21,21 @@ constexpr int kMaxHalvings = 24;  // of a piece between two nodes
 // Pieces of a track that are looked at, on average between two nodes: where determinants are noise,
 // as beside points without a normal, no piece is ever smooth enough, and halving would not end.
 constexpr std::size_t kMostPieces = 16;
+// Of a determinant's size: what charts that are off by 1e-10 of their extents may make of it, with
+// room for curvatures that change a hundred times as fast.
+constexpr double kNear = 1e-8;
 constexpr double kZero = 1e-12;         // determinants are dimensionless, 1 for a plane
 constexpr double kRootWidth = 0x1p-50;  // of the domain
-constexpr double kExtremum = 1e-9;      // of the piece: where an extremum is
-constexpr double kGolden = 0.38196601125010515;
+constexpr double kCoarse = 1e-3;    // of the piece: where an extremum is, before parabolas find it
+constexpr double kExtremum = 1e-9;  // of the piece: where an extremum is
 
 using Coefficients = std::array<double, kDegree + 1>;
 
 // 1 - s r k for the larger of s k: continuous, and negative just where the ball is not on its side.
-double least_factor(const BallContact& contact) {
+template <class Bend>
+double least_factor(const Bend& contact) {
   const double half = 0.5 * contact.trace;
   return half - std::sqrt(std::max(0.0, half * half - contact.determinant));
-}
-
-// Where f is extreme in a range in which it bends to one side; `sign` 1 for a least value.
-template <class Function>
-double extremum(const Function& f, Interval range, double sign) {
-  // Pieces beside knot lines may be so short that parameters in them are hardly told apart.
-  const double ulp = 0x1p-52 * std::max(std::abs(range.from), std::abs(range.to));
-  const double stop = std::max(kExtremum * length(range), 4 * ulp);
-  double p = at(range, kGolden), q = at(range, 1 - kGolden);
-  double fp = sign * f(p), fq = sign * f(q);
-  while (length(range) > stop) {
-    if (fp < fq) {
-      range.to = q;
-      q = p, fq = fp;
-      p = at(range, kGolden), fp = sign * f(p);
-    } else {
-      range.from = p;
-      p = q, fp = fq;
-      q = at(range, 1 - kGolden), fq = sign * f(q);
-    }
-  }
-  return fp < fq ? p : q;
 }
 
 double determinant_at(const BallTrack& track, int support, double parameter) {
@@ -105,7 +88,7 @@ void CuspSearch::isolate(const Coefficients& c, const Interval& range, double er
   if (rises || falls) return add_zero(range);
   if (bends_up || bends_down) {
     const auto f = [&](double p) { return determinant_at(track_, support_, p); };
-    const double turn = extremum(f, range, bends_up ? 1 : -1);
+    const double turn = extremum(f, range, bends_up ? 1 : -1, kExtremum);
     add_zero({range.from, turn});
     return add_zero({turn, range.to});
   }
@@ -124,8 +107,10 @@ void CuspSearch::look(const Interval& range, int depth) {
   static const std::vector<double> fine = extreme_points(2 * kDegree);
   std::vector<Vec2> all, nodes;  // determinants of both supports
   for (std::size_t i = 0; i < fine.size(); ++i) {
-    const BallPoint ball = track_.at(at(range, fine[i]), i + 1 < fine.size());
-    all.push_back({ball.contacts[0].determinant, ball.contacts[1].determinant});
+    const double p = at(range, fine[i]);
+    const bool after = i + 1 < fine.size();
+    all.push_back(
+        {track_.bend_near(0, p, after).determinant, track_.bend_near(1, p, after).determinant});
     if (i % 2 == 0) nodes.push_back(all.back());
   }
   const BezierCurve2 fit = bezier_through(nodes);
@@ -149,7 +134,8 @@ void CuspSearch::look(const Interval& range, int depth) {
   for (support_ = 0; support_ < 2; ++support_) {
     Coefficients c;
     for (std::size_t i = 0; i < c.size(); ++i) c[i] = fit.points[i][support_];
-    isolate(c, range, error[static_cast<std::size_t>(support_)], depth);
+    const auto k = static_cast<std::size_t>(support_);
+    isolate(c, range, error[k] + kNear * size[k], depth);
   }
 }
 
@@ -163,35 +149,10 @@ std::vector<BallCusp> CuspSearch::cusps() {
   return std::move(cusps_);
 }
 
-// Looks for the least factor near the nodes that have the least ones.
-BallPinch tightest_of(const BallTrack& track) {
-  BallPinch pinch{track.domain().from, 0, 1e300};
-  for (int k = 0; k < 2; ++k) {
-    const auto factor = [&](double p) {
-      return least_factor(track.at(p).contacts[static_cast<std::size_t>(k)]);
-    };
-    const auto note = [&](double p) {
-      const double f = factor(p);
-      if (f < pinch.factor) pinch = {p, k, f};
-    };
-    const auto& nodes = track.nodes();
-    std::vector<double> factors;
-    for (const BallTrack::Node& node : nodes) factors.push_back(factor(node.parameter));
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (factors[i] < pinch.factor) pinch = {nodes[i].parameter, k, factors[i]};
-      const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, nodes.size() - 1);
-      if (factors[i] > factors[before] || factors[i] > factors[after]) continue;
-      if (factors[i] == factors[before] && factors[i] == factors[after]) continue;
-      note(extremum(factor, {nodes[before].parameter, nodes[after].parameter}, 1));
-    }
-  }
-  return pinch;
-}
-
 }  // namespace
 
 BallSpine with_stretches(BallTrack track) {
-  BallSpine spine{std::move(track), {}, {}, {}};
+  BallSpine spine{std::move(track), {}, {}};
   const BallTrack& t = spine.track;
   const Interval domain = t.domain();
   spine.cusps = CuspSearch(t).cusps();
@@ -208,8 +169,51 @@ BallSpine with_stretches(BallTrack track) {
     else
       spine.stretches.push_back({{cuts[i], cuts[i + 1]}, valid});
   }
-  spine.tightest = tightest_of(t);
   return spine;
+}
+
+namespace {
+
+// Where a function is least in a range beside a place about kCoarse of the range from there: the
+// vertices of two parabolas, the second one through points as much nearer to each other.
+template <class Function>
+double parabolic_least(const Function& f, const Interval& range, double place) {
+  for (const double part : {kCoarse, kCoarse * kCoarse}) {
+    const double h = part * length(range);
+    const double p = std::clamp(place, range.from + h, range.to - h);
+    const double before = f(p - h), middle = f(p), after = f(p + h);
+    const double bend = before - 2 * middle + after;
+    if (!(bend > 0)) return place;
+    place = std::clamp(p + 0.5 * h * (before - after) / bend, range.from, range.to);
+  }
+  return place;
+}
+
+}  // namespace
+
+// Looks for the least factor near the nodes that have the least ones.
+BallPinch tightest_of(const BallTrack& track) {
+  BallPinch pinch{track.domain().from, 0, 1e300};
+  const auto& nodes = track.nodes();
+  for (const std::size_t k : {0U, 1U}) {
+    const auto about = [&](double p) { return least_factor(track.bend_near(k, p)); };
+    const auto factor = [&](double p) { return least_factor(track.at(p).contacts[k]); };
+    const auto note = [&](double p, double f) {
+      if (f < pinch.factor) pinch = {p, static_cast<int>(k), f};
+    };
+    std::vector<double> factors;
+    for (const BallTrack::Node& node : nodes) factors.push_back(about(node.parameter));
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      note(nodes[i].parameter, factors[i]);
+      const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, nodes.size() - 1);
+      if (factors[i] > factors[before] || factors[i] > factors[after]) continue;
+      if (factors[i] == factors[before] && factors[i] == factors[after]) continue;
+      const Interval range{nodes[before].parameter, nodes[after].parameter};
+      const double least = parabolic_least(factor, range, extremum(about, range, 1, kCoarse));
+      note(least, factor(least));
+    }
+  }
+  return pinch;
 }
 
 }  // namespace blossom

@@ -38,7 +38,6 @@ struct BallSpine {
   BallTrack track;
   std::vector<BallCusp> cusps;         ///< increasing
   std::vector<BallStretch> stretches;  ///< in order, over the whole domain, cut at the cusps
-  BallPinch tightest;
 
   bool is_valid() const { return stretches.size() == 1 && stretches.front().valid; }
 };
@@ -51,5 +50,8 @@ struct BallSpine {
 /// looked for on the exact determinant; elsewhere the piece is halved. So two cusps are both found,
 /// however far apart the samples of the track are. A determinant below 1e-12 counts as 0.
 BallSpine with_stretches(BallTrack track);
+
+/// Where the ball is nearest to pinching, to 1e-9 of the way between two nodes.
+BallPinch tightest_of(const BallTrack& track);
 
 }  // namespace blossom

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -22,8 +23,11 @@ namespace {
 constexpr int kSamples = 8;  // of a span
 constexpr std::array kChecks{0.03, 0.2, 0.4, 0.6, 0.8, 0.97};
 constexpr std::array kSectionChecks{0.125, 0.25, 0.5, 0.75, 0.875};
-constexpr double kShare = 0.7;      // of what is wanted, that checks may find
-constexpr double kWide = -0.5;      // cosine of a section's angle, below: halved
+constexpr double kShare = 0.7;  // of what is wanted, that checks may find
+constexpr double kWide = -0.5;  // cosine of a section's angle, below: halved
+// Halving a span divides what it is off by 2^5 to 2^6 in the end, and by less while it is long. A
+// span that is off by more than two halvings can mend even so is halved twice at once.
+constexpr double kTwice = 0x1p16;
 constexpr double kUneven = 2.001;   // ratio of neighbouring spans, more is halved
 constexpr double kSameRate = 1e-8;  // relative: no kink
 constexpr double kNoWidth = 1e-9;   // of the radius: a section without a direction
@@ -49,24 +53,33 @@ struct Measured {
   double section = 0;
 };
 
+struct KnownSpans {
+  std::vector<FitSpan> spans;
+  bool halved = false;  // their sections are
+};
+
 class StripFitter {
  public:
-  StripFitter(const BallTrack& track, const Interval& range, const BallStripOptions& options);
+  /// known   spans of another range of the track, for the same options
+  StripFitter(const BallTrack& track, const Interval& range, const BallStripOptions& options,
+              KnownSpans known);
 
   BallStrip strip();
+  KnownSpans spans() && { return {std::move(spans_), form_.halved}; }
 
  private:
   std::size_t columns() const { return 4 * static_cast<std::size_t>(form_.rows()) + 4; }
   std::vector<double> values_at(double parameter, bool after) const;
   std::vector<double> closing_rate() const;
   FitSpan span_of(const Interval& place, bool after_break) const;
+  void begin_between(const Interval& breaks, std::vector<FitSpan>& known);
   int multiplicity_at(double knot) const;
   void fit();
   Measured measured(std::size_t span) const;
-  bool is_good(const Measured& m) const;
+  double excess(const Measured& m) const;
   bool refine();
   void level();
-  void halve(std::size_t span);
+  void split(std::size_t span, int times);
   void write_surface(BallStrip& strip) const;
   void write_contact(std::size_t k, BallStrip& strip) const;
 
@@ -76,11 +89,12 @@ class StripFitter {
   SectionForm form_;
   bool closed_ = false;
   std::vector<FitSpan> spans_;
+  std::vector<Measured> found_;  // of each, by the last look at all
   RowSpline spline_;
 };
 
 StripFitter::StripFitter(const BallTrack& track, const Interval& range,
-                         const BallStripOptions& options)
+                         const BallStripOptions& options, KnownSpans known)
     : track_(track), range_(range), options_(options), form_{options.section, options.rho, false} {
   double least = 1;
   std::vector<double> breaks{range.from};
@@ -98,8 +112,36 @@ StripFitter::StripFitter(const BallTrack& track, const Interval& range,
   form_.halved = options.section == SectionKind::Circle && least < kWide;
   const Interval domain = track.domain();
   closed_ = track.closed() && range.from == domain.from && range.to == domain.to;
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-    spans_.push_back(span_of({breaks[i], breaks[i + 1]}, i > 0));
+  if (known.halved != form_.halved) known.spans.clear();
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    const std::size_t first = spans_.size();
+    begin_between({breaks[i], breaks[i + 1]}, known.spans);
+    for (std::size_t k = first; k < spans_.size(); ++k) spans_[k].after_break = k == first && i > 0;
+  }
+  if (!known.spans.empty()) level();
+}
+
+// The known spans between two breaks, and one more at each end where they do not reach it. Known
+// ones that would leave less than half of their length there are a part of that one.
+void StripFitter::begin_between(const Interval& breaks, std::vector<FitSpan>& known) {
+  const auto is_inside = [&](const FitSpan& span) {
+    return span.place.from >= breaks.from && span.place.to <= breaks.to;
+  };
+  auto first = std::ranges::find_if(known, is_inside);
+  auto last = std::find_if_not(first, known.end(), is_inside);
+  const auto is_sliver = [](double gap, const FitSpan& beside) {
+    return gap > 0 && gap < 0.5 * length(beside.place);
+  };
+  if (first != last && is_sliver(first->place.from - breaks.from, *first)) ++first;
+  if (first != last && is_sliver(breaks.to - std::prev(last)->place.to, *std::prev(last))) --last;
+  if (first == last) {
+    spans_.push_back(span_of(breaks, false));
+    return;
+  }
+  const Interval middle{first->place.from, std::prev(last)->place.to};
+  if (breaks.from < middle.from) spans_.push_back(span_of({breaks.from, middle.from}, false));
+  spans_.insert(spans_.end(), std::make_move_iterator(first), std::make_move_iterator(last));
+  if (middle.to < breaks.to) spans_.push_back(span_of({middle.to, breaks.to}, false));
 }
 
 std::vector<double> StripFitter::values_at(double parameter, bool after) const {
@@ -215,17 +257,27 @@ Measured StripFitter::measured(std::size_t span) const {
   return m;
 }
 
-bool StripFitter::is_good(const Measured& m) const {
-  return std::max({m.gap[0], m.gap[1], m.section}) <= kShare * options_.gap &&
-         std::max(m.angle[0], m.angle[1]) <= kShare * options_.angle;
+// What is found over what may be: at most 1 where it is good.
+double StripFitter::excess(const Measured& m) const {
+  return std::max(std::max({m.gap[0], m.gap[1], m.section}) / options_.gap,
+                  std::max(m.angle[0], m.angle[1]) / options_.angle) /
+         kShare;
 }
 
-void StripFitter::halve(std::size_t span) {
+// Halved so many times.
+void StripFitter::split(std::size_t span, int times) {
   const Interval whole = spans_[span].place;
-  const double middle = at(whole, 0.5);
-  FitSpan second = span_of({middle, whole.to}, false);
-  spans_[span] = span_of({whole.from, middle}, spans_[span].after_break);
-  spans_.insert(spans_.begin() + static_cast<std::ptrdiff_t>(span) + 1, std::move(second));
+  const int count = 1 << times;
+  std::vector<FitSpan> parts;
+  for (int i = 0; i < count; ++i) {
+    const auto knot = [&](int k) {
+      return k == count ? whole.to : at(whole, static_cast<double>(k) / count);
+    };
+    parts.push_back(span_of({knot(i), knot(i + 1)}, i == 0 && spans_[span].after_break));
+  }
+  const auto place = spans_.erase(spans_.begin() + static_cast<std::ptrdiff_t>(span));
+  spans_.insert(place, std::make_move_iterator(parts.begin()),
+                std::make_move_iterator(parts.end()));
 }
 
 // Neighbours in a run differ in length by a factor of 2 at most: the error of a coarse span spreads
@@ -237,7 +289,7 @@ void StripFitter::level() {
       if (spans_[i + 1].after_break) continue;
       const double ratio = length(spans_[i].place) / length(spans_[i + 1].place);
       if (ratio > kUneven || ratio < 1 / kUneven) {
-        halve(ratio > 1 ? i : i + 1);
+        split(ratio > 1 ? i : i + 1, 1);
         changed = true;
       }
     }
@@ -246,12 +298,18 @@ void StripFitter::level() {
 
 // Halves the spans that are not good enough; false if there is none.
 bool StripFitter::refine() {
-  std::vector<char> bad(spans_.size());
-  for (std::size_t i = 0; i < spans_.size(); ++i) bad[i] = !is_good(measured(i));
+  std::vector<int> times(spans_.size());
+  found_.clear();
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    found_.push_back(measured(i));
+    const double excess = this->excess(found_.back());
+    if (excess <= 1) continue;
+    times[i] = excess > kTwice ? 2 : 1;
+  }
   bool changed = false;
   for (std::size_t i = spans_.size(); i-- > 0;)
-    if (bad[i]) {
-      halve(i);
+    if (times[i] > 0) {
+      split(i, times[i]);
       changed = true;
     }
   level();
@@ -344,11 +402,14 @@ void StripFitter::write_contact(std::size_t k, BallStrip& strip) const {
 }
 
 BallStrip StripFitter::strip() {
-  for (fit(); static_cast<int>(spans_.size()) <= options_.most_spans && refine();) fit();
+  fit();
+  bool is_good = false;
+  while (!is_good && static_cast<int>(spans_.size()) <= options_.most_spans)
+    if (is_good = !refine(); !is_good) fit();
   BallStrip strip;
   strip.closed = closed_;
   for (std::size_t i = 0; i < spans_.size(); ++i) {
-    const Measured m = measured(i);
+    const Measured m = is_good ? found_[i] : measured(i);
     strip.section_error = std::max(strip.section_error, m.section);
     for (std::size_t k = 0; k < 2; ++k) {
       StripContactCurve& contact = strip.contacts[k];
@@ -364,16 +425,33 @@ BallStrip StripFitter::strip() {
 
 }  // namespace
 
-BallStrip ball_strip(const BallTrack& track, const Interval& range,
-                     const BallStripOptions& options) {
-  const Interval domain = track.domain();
-  if (!(length(range) > 0) || range.from < domain.from || range.to > domain.to)
-    throw InvalidInput("ball_strip: the range is empty or leaves the track");
+struct StripMaker::Known {
+  KnownSpans of;
+};
+
+StripMaker::StripMaker(const BallTrack& track, const BallStripOptions& options)
+    : track_(track), options_(options), known_(std::make_unique<Known>()) {
   if (!(options.rho > 0 && options.rho < 1))
     throw InvalidInput("ball_strip: rho has to be in (0, 1), got " + std::to_string(options.rho));
   if (!(options.gap > 0) || !(options.angle > 0))
     throw InvalidInput("ball_strip: gap and angle have to be positive");
-  return StripFitter(track, range, options).strip();
+}
+
+StripMaker::~StripMaker() = default;
+
+BallStrip StripMaker::strip(const Interval& range) {
+  const Interval domain = track_.domain();
+  if (!(length(range) > 0) || range.from < domain.from || range.to > domain.to)
+    throw InvalidInput("ball_strip: the range is empty or leaves the track");
+  StripFitter fitter(track_, range, options_, std::exchange(known_->of, {}));
+  BallStrip made = fitter.strip();
+  known_->of = std::move(fitter).spans();
+  return made;
+}
+
+BallStrip ball_strip(const BallTrack& track, const Interval& range,
+                     const BallStripOptions& options) {
+  return StripMaker(track, options).strip(range);
 }
 
 }  // namespace blossom

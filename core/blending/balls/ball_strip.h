@@ -16,6 +16,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -95,5 +96,26 @@ struct BallStrip {
 ///           balls have no envelope: |r'| >= |c'|, named with its parameter
 BallStrip ball_strip(const BallTrack& track, const Interval& range,
                      const BallStripOptions& options = {});
+
+/// Strips along one track, one after the other: each begins with the spans of the one before it as
+/// far as its range has them, so a strip that grows is not sampled and halved anew.
+class StripMaker {
+ public:
+  /// track   has to outlive this
+  explicit StripMaker(const BallTrack& track, const BallStripOptions& options = {});
+  ~StripMaker();
+  StripMaker(const StripMaker&) = delete;
+  StripMaker& operator=(const StripMaker&) = delete;
+
+  /// As `ball_strip`, but for other knots.
+  BallStrip strip(const Interval& range);
+
+ private:
+  struct Known;
+
+  const BallTrack& track_;
+  BallStripOptions options_;
+  std::unique_ptr<Known> known_;
+};
 
 }  // namespace blossom

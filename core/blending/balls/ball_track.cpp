@@ -145,6 +145,25 @@ std::size_t BallTrack::interval_at(double parameter, bool after) const {
   return static_cast<std::size_t>(above - nodes_.begin()) - 1;
 }
 
+// Nodes are solutions, and so is what lies between them.
+Vec4 BallTrack::solution_near(std::size_t interval, double parameter, const Vec4& chart,
+                              const ChartPlane& plane) const {
+  for (const Node* node : {&nodes_[interval], &nodes_[interval + 1]})
+    if (parameter == node->parameter) return node->chart;
+  return system_->solved(chart, cells_[interval], parameter, plane).value_or(chart);
+}
+
+BallBend BallTrack::bend_near(std::size_t support, double parameter, bool after) const {
+  const double p = std::clamp(parameter, domain().from, domain().to);
+  const std::size_t i = interval_at(p, after);
+  const Node &from = nodes_[i], &to = nodes_[i + 1];
+  const Vec4 x = hermite(from, to, (p - from.parameter) / (to.parameter - from.parameter)).value;
+  const BallSupport& on = supports()[support];
+  const auto jet = offset_jet(*on.surface, cells_[i][support],
+                              chart_of(x, static_cast<int>(support)), on.side, law().at(p).value);
+  return jet ? BallBend{jet->determinant, jet->trace} : BallBend{};
+}
+
 BallPoint BallTrack::at(double parameter, bool after) const {
   const double p = std::clamp(parameter, domain().from, domain().to);
   const std::size_t i = interval_at(p, after);
@@ -154,8 +173,7 @@ BallPoint BallTrack::at(double parameter, bool after) const {
   ChartPlane plane;
   for (int k = 0; k < 4; ++k) plane.row[k] = near.first[k] / (extents[k] * extents[k]);
   plane.value = dot(plane.row, near.value);
-  // Nodes are solutions, and so is what lies between them.
-  const Vec4 x = system_->solved(near.value, cells_[i], p, plane).value_or(near.value);
+  const Vec4 x = solution_near(i, p, near.value, plane);
   const auto jets = system_->jets(x, cells_[i], law().at(p).value);
   if (!jets) return {};
   Vec4 rate = system_->rate(*jets, p).value_or(near.first);

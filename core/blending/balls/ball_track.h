@@ -27,6 +27,7 @@
 namespace blossom {
 
 class BallSystem;
+struct ChartPlane;
 
 /// A rectangle of a surface's own parameters.
 struct ChartRectangle {
@@ -65,6 +66,12 @@ struct BallContact {
   /// Determinant and trace of I - s r W, W the shape operator. The ball lies locally on its side,
   /// and the contact does not stop, if and only if both are positive: then 1 - s r k > 0 for both
   /// principal curvatures.
+  double determinant = 1;
+  double trace = 2;
+};
+
+/// Of a contact alone: see BallContact.
+struct BallBend {
   double determinant = 1;
   double trace = 2;
 };
@@ -131,11 +138,17 @@ class BallTrack {
   /// curvatures are.
   BallPoint at(double parameter, bool after = true) const;
 
+  /// Only the determinant and the trace of a contact, from what is interpolated between the nodes,
+  /// whose charts are off by about 1e-10 of their extents: a fraction of the work of `at`.
+  BallBend bend_near(std::size_t support, double parameter, bool after = true) const;
+
   /// The parameter of the ball whose centre is nearest to a point, found from the nearest node.
   double nearest(const Vec3& centre) const;
 
  private:
   std::size_t interval_at(double parameter, bool after) const;
+  Vec4 solution_near(std::size_t interval, double parameter, const Vec4& chart,
+                     const ChartPlane& plane) const;
 
   std::shared_ptr<const BallSystem> system_;
   std::vector<Node> nodes_;

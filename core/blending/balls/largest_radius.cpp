@@ -10,6 +10,7 @@
 #include "core/base/errors.h"
 #include "core/blending/balls/ball_spine.h"
 #include "core/blending/balls/detail/ball_equations.h"
+#include "core/math/golden_section.h"
 #include "core/math/linear_solve.h"
 
 namespace blossom {
@@ -25,6 +26,7 @@ constexpr double kSettled = 1e-13;       // of a step, likewise
 constexpr double kAlmostSettled = 1e-9;  // then a step that is no smaller is rounding
 constexpr double kOnBorder = 1e-8;       // of the extents: the end of a track is there
 constexpr double kPinched = 1e-12;       // factors 1 - s r k below
+constexpr double kNearLeast = 1e-5;      // of the piece of a track round it: where it is least
 constexpr int kScan = 65;                // balls of a track looked at for the walls' least angle
 
 using Vec5 = Vec<double, 5>;
@@ -117,7 +119,7 @@ std::optional<EndBorder> RadiusSearch::end_border(const BallTrack& track, double
 }
 
 // The place of a track where a function of the ball is least, by golden section round the least
-// node.
+// node: from there Newton's method does the rest.
 template <class Function>
 double place_of_least(const BallTrack& track, const Function& f) {
   std::vector<double> parameters;
@@ -133,11 +135,7 @@ double place_of_least(const BallTrack& track, const Function& f) {
   }
   if (best == 0 || best + 1 == parameters.size()) return parameters[best];
   Interval range{parameters[best - 1], parameters[best + 1]};
-  for (int step = 0; step < 24; ++step) {  // to 1e-5 of the range: Newton's method does the rest
-    const double p = at(range, 0.382), q = at(range, 0.618);
-    (f(track.at(p)) < f(track.at(q)) ? range.to = q : range.from = p);
-  }
-  return at(range, 0.5);
+  return extremum([&](double p) { return f(track.at(p)); }, range, 1, kNearLeast);
 }
 
 Candidate RadiusSearch::border_candidate(const BallTrack& track, int border) const {
@@ -167,7 +165,7 @@ std::optional<Trial> RadiusSearch::trial(double radius) const {
   if (!track) return std::nullopt;
   Trial trial{with_stretches(std::move(*track)), {}, true};
   const BallTrack& t = trial.spine.track;
-  const BallPinch& pinch = trial.spine.tightest;
+  const BallPinch pinch = tightest_of(t);
   trial.candidates.push_back({RadiusLimit::Curvature, pinch.support, -1, pinch.parameter,
                               pinch.factor, end_border(t, pinch.parameter)});
   for (std::size_t i = 0; i < borders_.size(); ++i)

@@ -143,7 +143,8 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
   double near_at = 0;        // the track's parameter there
   RolledSupports supports;
   std::optional<BallTrack> track;
-  bool turned = false;  // t = - the track's parameter
+  mutable std::shared_ptr<StripMaker> strips;  // along it
+  bool turned = false;                         // t = - the track's parameter
   Interval valid, edge_range;
 
   [[noreturn]] void refuse(FilletFault fault, const std::string& cause,
@@ -161,6 +162,7 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
 };
 
 void Tracing::start(const std::array<BallSupport, 2>& on) {
+  strips.reset();
   track = track_through(on[0], on[1], radius, {supports.of[0].start, supports.of[1].start});
   if (!track)
     refuse(FilletFault::NoBall, "no ball of that radius touches both faces beside the edge", {});
@@ -208,11 +210,12 @@ void Tracing::find_valid(double parameter) {
     valid = stretch.range;
     return;
   }
-  const BallPoint ball = track->at(spine.tightest.parameter);
+  const BallPinch tightest = tightest_of(*track);
+  const BallPoint ball = track->at(tightest.parameter);
   refuse(FilletFault::Pinch,
          "the ball is too large for the curvature of the face on its " +
-             std::string(spine.tightest.support == 0 ? "left" : "right"),
-         ball.contacts[static_cast<std::size_t>(spine.tightest.support)].point);
+             std::string(tightest.support == 0 ? "left" : "right"),
+         ball.contacts[static_cast<std::size_t>(tightest.support)].point);
 }
 
 // Whether the track comes to the end of the edge, or about as near as the strip is wide.
@@ -232,7 +235,8 @@ RolledStrip Tracing::strip(const Interval& wanted) const {
   BallStripOptions options;
   options.section = profile.section.kind;
   options.rho = profile.section.rho;
-  const BallStrip made = ball_strip(*track, range, options);
+  if (!strips) strips = std::make_shared<StripMaker>(*track, options);
+  const BallStrip made = strips->strip(range);
   RolledStrip strip;
   strip.edge = edge;
   strip.concave = concave;

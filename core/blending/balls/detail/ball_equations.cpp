@@ -18,6 +18,8 @@ constexpr double kSettled = 4 * 0x1p-52;  // a step, relative to a coordinate or
 constexpr double kAlmostSettled = 1e-9;   // then a step that is no smaller is rounding
 constexpr int kMaxSteps = 25;
 constexpr double kQuadratic = 1e-3;    // from steps that long Newton's method squares them
+// A first step so short leaves its square times at most 1 / kQuadratic.
+constexpr double kShortStep = 1e-9;
 constexpr double kLostStep = 10;       // so long a one comes from a matrix without its rank
 constexpr double kLongestStep = 0.25;  // of the extents, far from a solution
 constexpr double kStray = 0.5;         // of the extents, beside a part while looking for a start
@@ -56,8 +58,11 @@ double step_size(const Vec4& step, const Vec4& x, const Vec4& extents) {
 }
 
 // Whether no step of Newton's method is left after two of these sizes: the one that would follow
-// has K size^2, K = size / before^2.
+// has K size^2, K = size / before^2. Before the first step there is none, and K is taken to be what
+// it is at most where the method squares.
+constexpr double kNone = 1e300;
 bool is_settled(double size, double before) {
+  if (before == kNone && size <= kShortStep) return true;
   if (size <= kSettled || (size < kAlmostSettled && size >= 0.5 * before)) return true;
   return before <= kQuadratic && size * size * size <= kSettled * before * before;
 }
@@ -151,7 +156,7 @@ std::optional<Vec4> BallSystem::solved(Vec4 x, const BallCells& cells, double pa
   const double radius = law_.at(parameter).value;
   MovingPlane driven;
   if (planes_) driven = planes_(parameter);
-  double before = 1e300;
+  double before = kNone;
   for (int step = 0; step < kMaxSteps; ++step) {
     const auto o = jets(x, cells, radius);
     if (!o) return std::nullopt;

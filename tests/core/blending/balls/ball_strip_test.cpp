@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/base/errors.h"
 #include "core/blending/balls/chart_cell.h"
@@ -245,6 +247,39 @@ TEST(BallStrip, CutAnywhereHasTheSameBorders) {
     const BallPoint ball = track.at(u);
     EXPECT_LT(distance(point_at(strip.surface, {u, 0}), ball.contacts[0].point), 1e-15);
     EXPECT_LT(distance(point_at(strip.surface, {u, 1}), ball.contacts[1].point), 1e-15);
+  }
+}
+
+// Growing at both ends, and shrinking again: knots of the strip before are kept, all else is as of
+// a strip made at once.
+TEST(BallStrip, ThatGrowsIsAsNearAsOneMadeAtOnce) {
+  const BezierSurface floor = floor_face(), wall = wall_face();
+  const BallTrack track = edge_track(floor, wall, 0.1);
+  StripMaker maker(track);
+  std::vector<double> before;
+  for (const auto& [from, to] : {std::pair{0.4, 0.6}, std::pair{0.4, 0.61}, std::pair{0.13, 0.61},
+                                 std::pair{0.0, 1.0}, std::pair{0.3, 0.9}}) {
+    const Interval part{at(track.domain(), from), at(track.domain(), to)};
+    const BallStrip grown = maker.strip(part), fresh = ball_strip(track, part);
+    EXPECT_EQ(grown.knots.front(), part.from);
+    EXPECT_EQ(grown.knots.back(), part.to);
+    EXPECT_LE(grown.knots.size(), fresh.knots.size() + 8);
+    EXPECT_LT(grown.section_error, 1e-8);
+    for (const StripContactCurve& contact : grown.contacts) {
+      EXPECT_LT(contact.gap, 1e-8);
+      EXPECT_LT(contact.normal_angle, 2e-7);
+    }
+    for (int i = 0; i <= 200; ++i) {
+      const BallPoint ball = track.at(at(part, i / 200.0));
+      for (const double v : {0.0, 0.3, 1.0}) {
+        const Vec3 point = point_at(grown.surface, {at(part, i / 200.0), v});
+        EXPECT_NEAR(distance(point, ball.centre), 0.1, 2e-8);
+      }
+    }
+    const auto kept = std::ranges::count_if(
+        before, [&](double knot) { return std::ranges::count(grown.knots, knot) > 0; });
+    EXPECT_TRUE(kept > 0 || before.size() <= 2) << from << " " << to;
+    before.assign(grown.knots.begin() + 1, grown.knots.end() - 1);
   }
 }
 
