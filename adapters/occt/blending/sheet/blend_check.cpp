@@ -129,23 +129,22 @@ bool is_plane(const TopoDS_Face& face) {
 
 // The faces that a face has no vertex in common with although their boxes meet. Two planes of the
 // sheet, as walls at the ends of strips are, may meet in a vertex and go through each other.
-std::vector<TopoDS_Face> strangers(const FilletedSolid& made, const TopoDS_Face& face) {
-  const auto box_of = [](const TopoDS_Face& of) {
-    Bnd_Box box;
-    BRepBndLib::Add(of, box, Standard_False);
-    return box;
-  };
+// boxes   of all faces
+std::vector<TopoDS_Face> strangers(const FilletedSolid& made, std::size_t place,
+                                   const std::vector<Bnd_Box>& boxes) {
+  const TopoDS_Face& face = made.faces[place].face;
   TopTools_IndexedMapOfShape own;
   TopExp::MapShapes(face, own);
-  const Bnd_Box box = box_of(face);
   const bool of_plane = is_plane(face);
   std::vector<TopoDS_Face> found;
-  for (const FilletFace& other : made.faces) {
+  for (std::size_t i = 0; i < made.faces.size(); ++i) {
+    if (boxes[place].IsOut(boxes[i])) continue;
+    const FilletFace& other = made.faces[i];
     bool known = other.face.IsSame(face);
     const bool both_planes = of_plane && other.from == 0 && is_plane(other.face);
     TopExp_Explorer it(other.face, both_planes ? TopAbs_EDGE : TopAbs_VERTEX);
     for (; it.More() && !known; it.Next()) known = own.Contains(it.Current());
-    if (!known && !box.IsOut(box_of(other.face))) found.push_back(other.face);
+    if (!known) found.push_back(other.face);
   }
   return found;
 }
@@ -154,10 +153,14 @@ std::vector<TopoDS_Face> strangers(const FilletedSolid& made, const TopoDS_Face&
 
 void check_apart(const FilletedSolid& made, const IntersectionOptions& options,
                  const std::function<void()>& tick) {
-  for (const FilletFace& blend : made.faces) {
+  std::vector<Bnd_Box> boxes(made.faces.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    BRepBndLib::Add(made.faces[i].face, boxes[i], Standard_False);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const FilletFace& blend = made.faces[i];
     if (blend.from > 0) continue;
     tick();
-    const std::vector<TopoDS_Face> others = strangers(made, blend.face);
+    const std::vector<TopoDS_Face> others = strangers(made, i, boxes);
     if (others.empty()) continue;
     const ShapeIntersection found = intersect({blend.face}, others, options);
     for (const FaceIntersection& pair : found.pairs) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
@@ -191,12 +192,19 @@ std::vector<BallWalk> Filleting::walks(const FilletEdges& edges) const {
   return all;
 }
 
+// What was rolled just before is taken, but once only: what is made of it may change its curves.
+std::vector<BallWalk> Filleting::walks_or_rolled(const FilletEdges& edges) {
+  if (rolled_ && rolled_->size == size() && rolled_->edges == edges)
+    return std::move(std::exchange(rolled_, std::nullopt)->walks);
+  return walks(edges);
+}
+
 // Edges of one group, into a solid of the shape.
 Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   const auto tick = [this] { check_limit(limit_.get(), kFilleting); };
   const double tolerance = options_.intersection.tolerances.point;
   BlendSheet sheet(body_, tolerance, options_.chamfer.has_value(), options_.setback);
-  for (const BallWalk& walk : walks(edges)) {
+  for (const BallWalk& walk : walks_or_rolled(edges)) {
     sheet.add(walk);
     for (const WalkedStrip& each : walk.strips)
       if (const std::string text = held_text(each.strip); !text.empty()) notes_.push_back(text);
@@ -333,7 +341,12 @@ void Filleting::roll(const FilletEdges& edges, double size) {
   set_size(size);
   std::map<const SolidPart*, FilletEdges> of;
   for (const auto& [edge, concave] : edges) of[&part_of(edge)].emplace(edge, concave);
-  for (const auto& [part, own] : of) walks(fillet_order(body_, own, options_).front());
+  rolled_.reset();
+  for (const auto& [part, own] : of) {
+    FilletEdges first = fillet_order(body_, own, options_).front();
+    std::vector<BallWalk> made = walks(first);
+    rolled_ = Rolled{size, std::move(first), std::move(made)};
+  }
 }
 
 std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges, double size) {

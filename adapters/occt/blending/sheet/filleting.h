@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include <BRepBuilderAPI_Copy.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
@@ -19,6 +18,7 @@
 
 #include "adapters/occt/blending/body_edges.h"
 #include "adapters/occt/blending/edge_chain.h"
+#include "adapters/occt/blending/own_copy.h"
 #include "adapters/occt/blending/sheet/sheet_trim.h"
 #include "adapters/occt/blending/strips/ball_walk.h"
 #include "adapters/occt/fillet.h"
@@ -50,7 +50,7 @@ class Filleting {
   /// limit   of work that this is a part of; null: its time begins to run
   Filleting(const TopoDS_Shape& shape, const FilletOptions& options,
             std::shared_ptr<const WorkLimit> limit = nullptr)
-      : body_(BRepBuilderAPI_Copy(shape, Standard_False).Shape()),
+      : body_(own_copy(shape)),
         options_(options),
         limit_(limit ? std::move(limit)
                      : std::make_shared<const WorkLimit>(options_.intersection)) {
@@ -67,7 +67,10 @@ class Filleting {
   ///        first distance of a chamfer, to which the second one keeps its ratio; model units
   std::vector<FilletedSolid> made(const FilletEdges& edges, double size);
   /// Radii of edges' own, from now on.
-  void set_own(std::map<int, EdgeRadius> own) { options_.own = std::move(own); }
+  void set_own(std::map<int, EdgeRadius> own) {
+    options_.own = std::move(own);
+    rolled_.reset();
+  }
   const std::map<int, EdgeRadius>& own() const { return options_.own; }
   /// The balls alone, of those edges that are rounded first; or a refusal.
   void roll(const FilletEdges& edges, double size);
@@ -90,6 +93,7 @@ class Filleting {
   FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                        const FilletEdges& edges);
   std::vector<BallWalk> walks(const FilletEdges& edges) const;
+  std::vector<BallWalk> walks_or_rolled(const FilletEdges& edges);
   Grouped with_group(const SolidPart& part, const FilletEdges& edges);
   double size() const { return is_chamfer() ? options_.chamfer->first : options_.radius; }
   void set_size(double size);
@@ -117,6 +121,12 @@ class Filleting {
   std::vector<std::string> notes_;
   std::set<int> gone_on_;
   Vec3 apex_;
+  struct Rolled {
+    double size = 0;
+    FilletEdges edges;
+    std::vector<BallWalk> walks;
+  };
+  std::optional<Rolled> rolled_;  // last, and not yet used
 };
 
 }  // namespace blossom::occt

@@ -18,8 +18,11 @@
 namespace blossom::occt {
 namespace {
 
-// Strips longer than asked for grow by so many times their length until they meet what ends them.
-constexpr double kGrowth = 2;
+// What strips have past their edge grows by so many times until they meet what ends them, and
+// strips that belong to no edge as a whole. All of a strip is fitted anew, so its edge's length
+// does not count.
+constexpr double kGrowth = 4;
+constexpr double kGrowthAway = 2;
 // Radii past the place where one contact leaves its face, so far the other one is followed to where
 // it leaves its own. Contacts are at most two radii apart; a border across both that makes an angle
 // alpha with the way lets them leave 2 cot(alpha) radii one after the other. A choice: 14 degrees.
@@ -143,7 +146,9 @@ double BallWalker::reach_at(const WalkExit& exit) const {
 bool BallWalker::grow(WalkedStrip& of, bool at_start) const {
   const Interval range = of.strip.range, most = of.strip.most;
   if (!of.strip.over || !(at_start ? most.from < range.from : most.to > range.to)) return false;
-  const double more = (kGrowth - 1) * length(range);
+  const Interval& edge = of.strip.edge_range;
+  const double past = at_start ? edge.from - range.from : range.to - edge.to;
+  const double more = past > 0 ? (kGrowth - 1) * past : (kGrowthAway - 1) * length(range);
   options_.tick();
   of.strip = of.strip.over(at_start ? Interval{std::max(most.from, range.from - more), range.to}
                                     : Interval{range.from, std::min(most.to, range.to + more)});
@@ -390,6 +395,7 @@ BallWalker::Part BallWalker::way(WalkedStrip& from, std::size_t place, int step)
   std::array<int, 2> entered{};
   for (std::size_t count = 0; count < kMaxFacesInARow * (run_.edges.size() + 1); ++count) {
     const WalkExit found = exit(*of, place, step, t, entered);
+    if (of->of_edge) made_[place]->strip = of->strip;
     if (!is_shared(step) && (found.sharp_edge > 0 || !found.ends))
       check_course(*of, step, {t, found.t});
     if (found.ends) {
@@ -459,31 +465,6 @@ BallWalk BallWalker::walk() {
   }
   if (run_.closed) walk.strips.pop_back();
   return walk;
-}
-
-namespace {
-
-// The parts of a run before and after a cut; of a closed run the one that is left.
-std::vector<EdgeRun> parts_of(const EdgeRun& run, std::size_t cut) {
-  const auto middle = run.edges.begin() + static_cast<std::ptrdiff_t>(cut) + 1;
-  EdgeRun before{{run.edges.begin(), middle}, false, run.concave};
-  EdgeRun after{{middle, run.edges.end()}, false, run.concave};
-  if (!run.closed) return {before, after};
-  after.edges.insert(after.edges.end(), before.edges.begin(), before.edges.end());
-  return {after};
-}
-
-}  // namespace
-
-std::vector<BallWalk> ball_walks(const BodyEdges& body, const EdgeRun& run,
-                                 const WalkOptions& options) {
-  BallWalker walker(body, run, options);
-  BallWalk whole = walker.walk();
-  if (!walker.cut()) return {std::move(whole)};
-  std::vector<BallWalk> all;
-  for (const EdgeRun& part : parts_of(run, *walker.cut()))
-    for (BallWalk& each : ball_walks(body, part, options)) all.push_back(std::move(each));
-  return all;
 }
 
 }  // namespace blossom::occt

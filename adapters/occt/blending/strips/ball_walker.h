@@ -35,17 +35,22 @@ struct WalkExit {
 
 class BallWalker {
  public:
-  BallWalker(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options)
+  using Strips = std::vector<std::optional<WalkedStrip>>;  // by place in the run
+
+  /// known   strips beside edges of the run that are made already
+  BallWalker(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options, Strips known)
       : body_(body),
         run_(run),
         options_(options),
         profiles_(body, run, options.fillet),
-        made_(run.edges.size()) {}
+        made_(std::move(known)) {}
 
   BallWalk walk();
   /// The place of the run after whose edge it has to be cut, for a walk that came to no end: there
   /// a sharp edge begins in its vertex, which the ball cannot go over.
   const std::optional<std::size_t>& cut() const { return cut_; }
+  /// As far as they were made, and grew, on the way.
+  const Strips& strips() const { return made_; }
 
  private:
   using Part = std::vector<std::pair<WalkJoint, WalkedStrip>>;
@@ -101,9 +106,9 @@ class BallWalker {
   const EdgeRun& run_;
   const WalkOptions& options_;
   RunProfiles profiles_;
-  std::vector<std::optional<WalkedStrip>> made_;  // by place in the run
-  std::optional<WalkedStrip> behind_;             // where it starts, if beside no edge of the run
-  bool came_back_ = false;                        // to there
+  Strips made_;
+  std::optional<WalkedStrip> behind_;  // where it starts, if beside no edge of the run
+  bool came_back_ = false;             // to there
   std::optional<std::size_t> cut_;
 };
 

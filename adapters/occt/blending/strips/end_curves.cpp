@@ -52,18 +52,27 @@ constexpr double kFootRoom = 0.25;  // of the feet's box: how far beyond it is s
 // along each other take all there are, and have no curve to be found.
 constexpr long kMostPairs = 100'000;
 
-std::vector<PlanarCrossing> meetings(const BodyEdges& body, const RolledStrip& strip,
-                                     std::size_t side, const EdgeUseInFace& use,
-                                     const Interval& range) {
-  const FaceTrims& trims = body.trims(use.face);
+// A contact in the scaled parameters of a face, and whole periods beside, wherever it may meet
+// edges of the face.
+std::vector<PlanarCurve> contact_copies(const BodyEdges& body, const RolledStrip& strip,
+                                        std::size_t side, int face) {
+  const FaceTrims& trims = body.trims(face);
   const PlanarCurve contact =
-      transformed(planar_curve(strip.contacts[side].chart, range), trims.scale, {});
-  const double tolerance = std::max(Precision::Confusion(), use.coedge->tolerance);
-  std::vector<PlanarCrossing> all;
+      transformed(planar_curve(strip.contacts[side].chart, strip.range), trims.scale, {});
+  std::vector<PlanarCurve> all;
   for (const Vec2& shift : period_shifts(trims, contact)) {
     if (norm(shift) > 0 && trims.period[0] == 0 && trims.period[1] == 0) continue;
-    const PlanarCrossings found =
-        crossings(transformed(contact, {1, 1}, shift), use.coedge->curve, tolerance);
+    all.push_back(transformed(contact, {1, 1}, shift));
+  }
+  return all;
+}
+
+std::vector<PlanarCrossing> meetings(const std::vector<PlanarCurve>& contacts,
+                                     const EdgeUseInFace& use) {
+  const double tolerance = std::max(Precision::Confusion(), use.coedge->tolerance);
+  std::vector<PlanarCrossing> all;
+  for (const PlanarCurve& contact : contacts) {
+    const PlanarCrossings found = crossings(contact, use.coedge->curve, tolerance);
     // Where they run along each other neither goes over the other.
     std::ranges::copy_if(found.points, std::back_inserter(all), [&](const PlanarCrossing& each) {
       return std::ranges::none_of(found.overlaps, [&](const PlanarOverlap& run) {
@@ -196,7 +205,7 @@ std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledSt
                                            std::size_t side, const EdgeUseInFace& use,
                                            double near) {
   std::optional<ContactMeeting> best;
-  for (const PlanarCrossing& each : meetings(body, strip, side, use, strip.range))
+  for (const PlanarCrossing& each : meetings(contact_copies(body, strip, side, use.face), use))
     if (!best || std::abs(each.a - near) < std::abs(best->t - near))
       best = ContactMeeting{each.a, each.b};
   return best;
@@ -228,12 +237,14 @@ bool lies_inside(const BodyEdges& body, const RolledContact& contact, double t) 
 std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
                                                std::size_t side, const std::set<int>& left_out) {
   std::vector<ContactCrossing> all;
+  const std::vector<PlanarCurve> contacts =
+      contact_copies(body, strip, side, strip.contacts[side].face);
   for (const EdgeUseInFace& use : body.uses(strip.contacts[side].face)) {
     if (use.coedge->degenerated || left_out.count(use.edge) > 0) continue;
     // The face lies to the left of the first contact of a strip and to the right of the second,
     // seen from outside.
     const bool reversed = body.face(use.face).Orientation() == TopAbs_REVERSED;
-    for (const PlanarCrossing& each : meetings(body, strip, side, use, strip.range)) {
+    for (const PlanarCrossing& each : meetings(contacts, use)) {
       const bool to_left = crossing_rate(body, strip, side, use, each) > 0;
       all.push_back({each.a, &use, each.b, ((side == 0) != reversed) == to_left,
                      to_left != use.coedge->reversed});
