@@ -12,9 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <gp_Cylinder.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/faces/area.h"
@@ -215,13 +220,36 @@ TEST_F(BlendFillet, GivesEdgesRadiiOfTheirOwn) {
       << all.out;
 }
 
+// All twelve edges of the box by radius 1: cylinders, each between two planes across its edge that
+// lie so far from the edge's ends.
+void expect_strips_end_before_corners(const TopoDS_Shape& made, double setback) {
+  int strips = 0;
+  for (TopExp_Explorer it(made, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Face& face = TopoDS::Face(it.Current());
+    const BRepAdaptor_Surface surface(face);
+    if (surface.GetType() != GeomAbs_Cylinder) continue;
+    ++strips;
+    EXPECT_NEAR(surface.Cylinder().Radius(), 1, 1e-9);
+    EXPECT_NEAR(occt::area(face), std::numbers::pi / 2 * (10 - 2 * setback), 1e-9);
+    const gp_Dir along = surface.Cylinder().Axis().Direction();
+    for (TopExp_Explorer corner(face, TopAbs_VERTEX); corner.More(); corner.Next()) {
+      const gp_Pnt point = BRep_Tool::Pnt(TopoDS::Vertex(corner.Current()));
+      const double height = std::abs(along.XYZ().Dot(point.XYZ()));
+      EXPECT_NEAR(std::min(height, 10 - height), setback, 1e-9);
+    }
+  }
+  EXPECT_EQ(strips, 12);
+}
+
 TEST_F(BlendFillet, SetsCornersBack) {
   const Finished ran = fillet({path("box.step"), "--edges", "all", "--radius", "1", "--setback",
                                "2.5", "-o", path("out.step"), "--json", "-"});
 
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(nlohmann::json::parse(ran.out)["setback"], 2.5);
-  EXPECT_TRUE(BRepCheck_Analyzer(occt::read_model(path("out.step")).shape()).IsValid());
+  const TopoDS_Shape made = occt::read_model(path("out.step")).shape();
+  EXPECT_TRUE(BRepCheck_Analyzer(made).IsValid());
+  expect_strips_end_before_corners(made, 2.5);
 }
 
 TEST_F(BlendFillet, TakesConicsForSections) {
