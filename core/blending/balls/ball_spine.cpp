@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/blending/balls/detail/golden_section.h"
 #include "core/forms/algebra/interpolation.h"
 #include "core/math/functions/sign_change.h"
-#include "core/math/golden_section.h"
 
 namespace blossom {
 namespace {

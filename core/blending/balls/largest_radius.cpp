@@ -10,7 +10,7 @@
 #include "core/base/errors.h"
 #include "core/blending/balls/ball_spine.h"
 #include "core/blending/balls/detail/ball_equations.h"
-#include "core/math/golden_section.h"
+#include "core/blending/balls/detail/golden_section.h"
 #include "core/math/linear_solve.h"
 
 namespace blossom {

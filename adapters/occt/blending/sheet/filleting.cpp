@@ -17,6 +17,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/sheet/blend_check.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
@@ -31,11 +32,20 @@
 namespace blossom::occt {
 namespace {
 
-// Of r^2 and the edges' length: errors with which the change of a volume is measured, until it is
-// certain which sign it has. It is a sum of some hundred integrals whose error estimates exceed
-// their errors by far.
-constexpr std::array kShares{1e-4, 1e-6};
+// Of what balls take off between tangent planes: errors with which the change of a volume is
+// measured, until it is certain which sign it has. It is a sum of some hundred integrals whose error
+// estimates exceed their errors by far.
+constexpr std::array kShares{1e-3, 1e-5};
 constexpr double kSure = 100;
+// Radians: at sharper edges contacts come to the ends of faces, and less is taken off than between
+// planes.
+constexpr double kSharpest = 2.5;
+
+// Of the corner of two planes that a disc of radius 1 leaves free, by the angle of their normals.
+double corner_area(double angle) {
+  const double half = 0.5 * std::min(angle, kSharpest);
+  return std::tan(half) - half;
+}
 
 }  // namespace
 
@@ -134,15 +144,17 @@ double Filleting::square_of_radius(int edge) const {
   return radius * radius;
 }
 
-// The same, only as exact as its sign needs where no volumes are wanted. A ball takes some tenth of
-// r^2 from each unit of an edge, much less where the faces meet at a small angle.
+// The same, only as exact as its sign needs where no volumes are wanted.
 double Filleting::sure_change(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                               const FilletEdges& edges) {
   if (!options_.volumes && !options_.chamfer) {
     double size = 0;
-    for (const auto& [edge, concave] : edges)
-      size += square_of_radius(edge) *
+    for (const auto& [edge, concave] : edges) {
+      double angle = 0;
+      edge_kind(body_, edge, angle);
+      size += square_of_radius(edge) * corner_area(angle) *
               GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body_.edge(edge)));
+    }
     for (const double share : kShares) {
       const double enough = share * size;
       const double change = this->change(part, faces, enough);

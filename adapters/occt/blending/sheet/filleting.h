@@ -75,6 +75,9 @@ class Filleting {
   /// The balls alone, of those edges that are rounded first; or a refusal.
   void roll(const FilletEdges& edges, double size);
   bool is_chamfer() const { return options_.chamfer.has_value(); }
+  /// Whether volumes are measured as exactly as can be, from now on; else what is made is only
+  /// sure to get smaller or larger as it should. Returns what was so before.
+  bool set_volumes(bool wanted) { return std::exchange(options_.volumes, wanted); }
   /// Of what was made last.
   const std::vector<std::string>& notes() const { return notes_; }
   /// Likewise: edges that were not asked for, in which others go on once there are blends between.

@@ -166,6 +166,12 @@ std::optional<LargestFillet> RadiusTrials::found() {
 std::optional<LargestFillet> largest_fillet(Filleting& work, const std::vector<FilletEdges>& chains,
                                             double radius, const FilletRefusal& why) {
   if (why.fault == FilletFault::Edge) return std::nullopt;
+  // Of trials only whether they work is used.
+  struct Restored {
+    Filleting& work;
+    bool volumes;
+    ~Restored() { work.set_volumes(volumes); }
+  } const restored{work, work.set_volumes(false)};
   return RadiusTrials(work, chains, radius, why).found();
 }
 

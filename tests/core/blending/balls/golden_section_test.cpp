@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/math/golden_section.h"
+#include "core/blending/balls/detail/golden_section.h"
 
 #include <cmath>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// Runs whose balls come to a sharp edge on the way: walks along their parts.
 #include "adapters/occt/blending/strips/ball_walk.h"
 
 #include <cstddef>
