@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace blossom {
 namespace {
@@ -53,13 +54,15 @@ JetEnclosure united(const JetEnclosure& a, const JetEnclosure& b) {
 }
 
 double largest_mean(double a, double b, double c) {
-  a = std::max(a, 0.0), b = std::max(b, 0.0), c = std::max(c, 0.0);
-  if (a < b + c && b < c + a && c < a + b) {
-    const double square = 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
-    // Inside of the triangle where all three numerators are positive.
-    if (square > 0) return a * b * c / square;
-  }
-  return std::max({a, b, c}) / 4;
+  if (a < b) std::swap(a, b);
+  if (a < c) std::swap(a, c);
+  if (!(a > 0)) return 0;
+  b = std::max(b / a, 0.0), c = std::max(c / a, 0.0);
+  const double excess = b + c - 1;
+  if (!(excess > 0)) return a / 4;
+  // It is taken inside of the triangle. As the excess is at most b and at most c, what is divided by
+  // is at least 3 b c, and rounded little.
+  return a * std::clamp(b * c / (4 * b * c - excess * excess), 0.25, 1.0 / 3);
 }
 
 double facet_distance(const JetEnclosure& jet, const Vec3& n, const std::array<Vec2, 3>& corners) {

@@ -95,6 +95,21 @@ TEST(FacetDistanceOf, ACylinderIsTheHeightOfTheArc) {
               2 * (1 - std::sqrt(0.5)), 1e-15);
 }
 
+// Corners on a line up to rounding: as along a seam, where a fine mesh has many of them.
+TEST(FacetDistanceOf, ANeedleOnASphereIsTheHeightOfItsLongestSide) {
+  auto random = seeded(11);
+  const ElementaryChart chart{.kind = ElementaryKind::Sphere, .radius = 12};
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double u = uniform(random, 0, 6), v = uniform(random, -1.5, 1.5);
+    const double side = uniform(random, 1e-4, 1e-2);
+    const double thin = std::pow(10, uniform(random, -17, -10));
+    const std::array corners{Vec2{u, v}, Vec2{u + uniform(random, -1, 1) * thin, v + side},
+                             Vec2{u, v + uniform(random, 0.1, 0.9) * side}};
+    const double height = chart.radius * (1 - std::cos(side / 2));
+    EXPECT_NEAR(facet_distance(chart, corners), height, 1e-6 * height + kRounding);
+  }
+}
+
 TEST(FacetDistanceOf, AParaboloidIsKnownByHand) {
   // z = (u^2 + v^2) / 2 over a right triangle with legs 1: the circle through its corners has the
   // radius sqrt(1/2), so that the largest height is 1/4.
@@ -108,6 +123,16 @@ TEST(LargestMean, IsTheSquareOfTheRadiusOrAQuarterOfTheLongestSide) {
   EXPECT_DOUBLE_EQ(largest_mean(9, 16, 25), 25.0 / 4);
   EXPECT_DOUBLE_EQ(largest_mean(1, 1, 4), 1);  // on a line
   EXPECT_DOUBLE_EQ(largest_mean(-5, 0, 4), 1);
+}
+
+TEST(LargestMean, OfNeedlesIsNoLargerThanOfAnEquilateralTriangleOfTheLongestSide) {
+  auto random = seeded(12);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const double c = std::pow(10, uniform(random, -20, 0));
+    const double mean = largest_mean(1, 1 - uniform(random, 0, 1) * c, c);
+    EXPECT_LE(mean, 1.0 / 3);
+    EXPECT_GE(mean, 0.25 - 1e-15);
+  }
 }
 
 // The distance of facets from a surface that is a graph is at most the height over it.
