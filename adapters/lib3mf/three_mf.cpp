@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/lib3mf/three_mf.h"
 
+#include <algorithm>
+
 #include <Model/COM/NMR_DLLInterfaces.h>
 
 namespace blossom::lib3mf {
 namespace {
+
+constexpr std::uint8_t kGrey = 204;  // of what has no colour beside something that has
 
 void check(int result, const char* step) {
   if (result != 0)
@@ -47,6 +51,14 @@ void give_geometry(NMR::PLib3MFModelMeshObject* object, std::span<const Vec3> po
 
 void give_colours(NMR::PLib3MFModelMeshObject* object, std::size_t triangles,
                   const std::vector<ThreeMfPart>& parts) {
+  if (std::ranges::none_of(parts, [](const ThreeMfPart& part) { return part.colour.has_value(); }))
+    return;
+  // Triangles may have colours only where the object has one, which those without then get.
+  Owned<NMR::PLib3MFDefaultPropertyHandler> whole;
+  check(NMR::lib3mf_object_createdefaultpropertyhandler(object, whole.out()),
+        "defaultpropertyhandler");
+  check(NMR::lib3mf_defaultpropertyhandler_setcolorrgb(whole.get(), kGrey, kGrey, kGrey),
+        "setcolor");
   Owned<NMR::PLib3MFPropertyHandler> handler;
   check(NMR::lib3mf_meshobject_createpropertyhandler(object, handler.out()), "propertyhandler");
   for (std::size_t p = 0; p < parts.size(); ++p) {
