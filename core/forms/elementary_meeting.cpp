@@ -207,9 +207,10 @@ Known plane_and_cylinder(const Elementary& plane, const Elementary& cylinder, co
   if (tilt * cylinder.radius <= limits.exact)
     return ElementaryMeeting{{{circle(centre, plane.axis, cylinder.radius)}}, {}};
   const Vec3 x = unit(across(cylinder.axis, plane.axis));
-  return ElementaryMeeting{{{{ConicKind::Ellipse, centre, x, cross(plane.axis, x),
-                              cylinder.radius / std::abs(slope), cylinder.radius}}},
-                           {}};
+  // Of nearly parallel axes the product may be above 1 by rounding.
+  const double major = cylinder.radius / std::min(1.0, std::abs(slope));
+  return ElementaryMeeting{
+      {{{ConicKind::Ellipse, centre, x, cross(plane.axis, x), major, cylinder.radius}}}, {}};
 }
 
 // Rulings of a cone in a plane through its apex.

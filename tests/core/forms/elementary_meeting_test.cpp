@@ -68,6 +68,21 @@ TEST(ElementaryMeeting, WhatTouchesWithinTheLimitDoesSoInOnePlace) {
   expect_meeting(plane_at(0, {1, 0, 0}), cylinder_of(2, {2 + 5e-8, 0, 0}), 1, 0, true);
 }
 
+// The product of two unit vectors may round to more than 1.
+TEST(ElementaryMeeting, EllipsesOfAPlaneThatHardlyTiltsAreNoHigherThanWide) {
+  for (int i = 0; i < 200; ++i) {
+    const double turn = 0.1 * i;
+    const Vec3 axis = unit(Vec3{std::cos(turn), std::sin(turn), std::cos(3 * turn)});
+    const Vec3 tilted = unit(axis + 3e-9 * unit(cross(axis, Vec3{0.3, 0.2, 1})));
+    const auto found = elementary_meeting({ElementaryKind::Plane, {}, tilted, 0, 0, 0},
+                                          cylinder_of(4, {}, axis), kHere, kLimits);
+    ASSERT_TRUE(found.has_value());
+    ASSERT_EQ(found->curves.size(), 1u);
+    EXPECT_EQ(found->curves[0].conic.kind, ConicKind::Ellipse);
+    EXPECT_GE(found->curves[0].conic.major, found->curves[0].conic.minor);
+  }
+}
+
 TEST(ElementaryMeeting, CirclesRoundOneAxisLieOnBothSurfaces) {
   const auto found = elementary_meeting(sphere_of(5), cone_of(pi / 6, {0, 0, -1}), kHere, kLimits);
   ASSERT_TRUE(found.has_value());
