@@ -269,7 +269,9 @@ class PairIntersector {
                                   SurfaceIntersection& found) const {
     found = between(i, j, edges);
     const std::vector<Overlap> whole = found.overlaps;
-    const std::vector<Touch> touches = clip(found, faces_a_.data(i).trims, &faces_b_.data(j).trims);
+    const std::vector<Touch> touches =
+        clip(found, faces_a_.data(i).trims, &faces_b_.data(j).trims, 0,
+             std::max(kOnWire, options_.tolerances.point));
     if (found.overlaps.size() < whole.size())
       add_overlaps(faces_a_.face(i), faces_b_.face(j), whole, found);
     return touches;

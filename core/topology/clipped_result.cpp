@@ -13,6 +13,7 @@
 
 #include "core/forms/conic.h"
 #include "core/forms/spline.h"
+#include "core/topology/border_arcs.h"
 #include "core/topology/curve_clip.h"
 
 namespace blossom {
@@ -127,6 +128,18 @@ void move_short_parts(const IntersectionCurve& whole, const FaceTrims& a, const 
   });
 }
 
+// Whether a curve goes past a border that it keeps to all along, and nowhere else out of the trims.
+bool is_border_arc(const IntersectionCurve& curve, const FaceTrims& a, const FaceTrims* b,
+                   double touching) {
+  if (curve.closed || curve.length <= 2 * std::max(edge_tolerance(curve.deviation), touching))
+    return false;  // too short to tell along from across
+  const bool on_a = keeps_to_border(a, curve.chart_a, touching);
+  const bool on_b = b != nullptr && keeps_to_border(*b, curve.chart_b, touching);
+  const std::vector<Interval> whole{curve.curve.domain()};
+  return (on_a || on_b) && (on_a || clip_to_trims(a, curve.chart_a) == whole) &&
+         (on_b || b == nullptr || clip_to_trims(*b, curve.chart_b) == whole);
+}
+
 // True if a listed contact in a point holds it, or is no farther than its own size.
 bool is_listed(const Vec3& point, const std::vector<Place>& places) {
   constexpr std::array kPoints{PlaceKind::Touch, PlaceKind::Node, PlaceKind::Cusp, PlaceKind::Pole};
@@ -214,15 +227,26 @@ std::vector<IntersectionCurve> curve_parts(const IntersectionCurve& whole,
 }
 
 std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b,
-                        double tolerance) {
-  std::vector<IntersectionCurve> curves;
+                        double tolerance, double touching) {
+  std::vector<IntersectionCurve> curves, border_arcs;
   std::vector<SurfacePoint> touches;
-  for (const IntersectionCurve& curve : found.curves) {
+  const auto add_parts = [&](const IntersectionCurve& curve) {
     std::vector<Interval> parts = clip_to_trims(a, curve.chart_a, tolerance);
     if (b != nullptr) parts = common(curve, parts, clip_to_trims(*b, curve.chart_b, tolerance));
     move_short_parts(curve, a, b, parts, touches);
     for (IntersectionCurve& part : curve_parts(curve, parts)) curves.push_back(std::move(part));
+  };
+  for (const IntersectionCurve& curve : found.curves)
+    if (is_border_arc(curve, a, b, touching))
+      border_arcs.push_back(curve);
+    else
+      add_parts(curve);
+  const auto is_appended = [&](const IntersectionCurve& arc) {
+    return append_border_arc(arc, a, b, curves, touching);
+  };
+  while (std::erase_if(border_arcs, is_appended) > 0) {  // of several in a row one after the other
   }
+  std::ranges::for_each(border_arcs, add_parts);
   found.curves = std::move(curves);
   const auto outside = [&](const SurfacePoint& p) {
     const auto& at = place_of(p, found.places).parameters;

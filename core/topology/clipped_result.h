@@ -22,11 +22,14 @@ std::vector<IntersectionCurve> curve_parts(const IntersectionCurve& whole,
 
 /// Leaves of an intersection what lies inside the trims of both. Common regions of the surfaces
 /// stay among the places only, unless both faces are naturally bounded.
-/// b         null if everything of the second surface counts
-/// returns   where curves only touch the trims, or have parts too short for an edge in them; but
-///           for ends of curves and contacts of the result
+/// b          null if everything of the second surface counts
+/// tolerance  of touches: what goes past a wire by no more than this stays whole; model units
+/// touching   likewise of arcs that keep to a border from end to end: what a curve that touches a
+///            seam leaves on its other side goes to that curve; no less than kOnWire
+/// returns    where curves only touch the trims, or have parts too short for an edge in them; but
+///            for ends of curves and contacts of the result
 std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b,
-                        double tolerance = 0);
+                        double tolerance = 0, double touching = kOnWire);
 
 /// Adds touches to the contacts of a result. Those within `within` are identified; what is farther
 /// apart is known within tolerance only, and so is the result.

@@ -45,12 +45,11 @@ std::optional<double> at_corner(const FaceTrims& trims, const PlanarCurve& curve
 
 // Whether a curve keeps within tolerance of an edge, or of two at their corner, from one meeting to
 // the next, which are farther apart than that, but no farther than a touch may take: where it
-// touches then, half way or in the corner.
+// touches then: where the curve ends, half way or in the corner.
 std::optional<double> one_touch_at(const FaceTrims& trims, const PlanarCurve& curve,
                                    double tolerance, const TrimMeeting& a, const TrimMeeting& b) {
   const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
-  const double half_way = 0.5 * (a.at + b.at);
-  const Vec2 middle = point_at(curve, half_way);
+  const Vec2 middle = point_at(curve, 0.5 * (a.at + b.at));
   const double length =
       distance(point_at(curve, a.at), middle) + distance(middle, point_at(curve, b.at));
   if (length <= tolerance || length > tangency_length(trims, tolerance)) return {};
@@ -60,7 +59,10 @@ std::optional<double> one_touch_at(const FaceTrims& trims, const PlanarCurve& cu
            nearest(of_b.curve, point).distance <= tolerance;
   });
   if (!keeps) return {};
-  if (&of_a == &of_b) return half_way;
+  if (&of_a == &of_b)
+    return a.at == curve.domain().from ? a.at
+           : b.at == curve.domain().to ? b.at
+                                       : 0.5 * (a.at + b.at);
   return at_corner(trims, curve, tolerance, a, b);
 }
 
@@ -103,8 +105,8 @@ bool leaves(const PlanarCurve& curve, const Coedge& edge, double from, double to
 }
 
 // A curve that ends where it crosses an edge at a small angle, or touches it, keeps to it from
-// there for no longer than a contact of the fourth order may take: it meets the edge in its end,
-// and does not run along it.
+// there for no longer than a touch, or than a contact of the fourth order that it leaves: it meets
+// the edge in its end, and does not run along it.
 void shrink_ends_of_touches(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
                             ClippedCurve& found) {
   const double size = norm(trims.box.high - trims.box.low);
@@ -115,7 +117,9 @@ void shrink_ends_of_touches(const FaceTrims& trims, const PlanarCurve& curve, do
     const std::optional<double> end = only_bound_end(curve, edge, run, tolerance);
     if (!end) return false;
     const double other = *end == run.at.from ? run.at.to : run.at.from;
-    if (!leaves(curve, edge, *end, other, tolerance)) return false;
+    if (chord_length(curve, run.at) > tangency_length(trims, tolerance) &&
+        !leaves(curve, edge, *end, other, tolerance))
+      return false;
     std::erase_if(found.meetings, [&](const TrimMeeting& meeting) {
       return meeting.loop == run.loop && meeting.coedge == run.coedge && meeting.at == other;
     });
