@@ -220,22 +220,19 @@ void CommonEdges::touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of who
     whose == Of::A ? meet(edge, border) : meet(border, edge);
 }
 
-// A touch, and roots between which the edge does not leave the surface, are one place: it touches
-// it there, and crosses it twice by what the two are off.
 void CommonEdges::blur(const TopoDS_Edge& edge, const TopoDS_Face& face,
                        const std::vector<CurveSurfacePoint>& points) {
+  const double tolerance = options_.tolerances.point;
+  const double within = tolerance + BRep_Tool::Tolerance(edge);
   const RangedCurve of = curve_of(edge);
-  const double within = options_.tolerances.point + BRep_Tool::Tolerance(edge);
-  std::optional<SurfaceProjector> feet;
-  const auto add = [&](const Interval& between) {
-    if (!is_short(of, between, options_.tolerances.point)) return;
-    if (!feet) feet.emplace(face, options_.tolerances.point);
-    if (keeps_on(of, between, *feet, within))
-      blurs_.push_back({edge, widened_by(of, between, kSampledMargin * within)});
-  };
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].tangential) add(points[i].box_t);
-    if (i + 1 < points.size()) add({points[i].t, points[i + 1].t});
+  for (const Interval& place : one_places(of, face, points, tolerance, within)) {
+    blurs_.push_back({edge, widened_by(of, place, kSampledMargin * within)});
+    for (const TopoDS_Edge& border : edges_of(face)) {
+      const RangedCurve along = curve_of(border);
+      const std::optional<Interval> beside = stretch_beside(along, of, place, within);
+      if (beside && is_short(along, *beside, tolerance))
+        blurs_.push_back({border, widened_by(along, *beside, kSampledMargin * within)});
+    }
   }
 }
 

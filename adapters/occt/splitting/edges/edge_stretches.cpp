@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 #include <BRep_Tool.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
@@ -62,6 +64,35 @@ bool keeps_on(const RangedCurve& of, const Interval& stretch, const SurfaceProje
   return std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75, 1.0}, [&](double part) {
     return std::abs(feet.height(vec(of.curve->Value(at(stretch, part))))) <= reach;
   });
+}
+
+std::vector<Interval> one_places(const RangedCurve& of, const TopoDS_Face& face,
+                                 const std::vector<CurveSurfacePoint>& points, double tolerance,
+                                 double within) {
+  std::vector<Interval> found;
+  std::optional<SurfaceProjector> feet;
+  const auto add = [&](const Interval& between) {
+    if (!is_short(of, between, tolerance)) return;
+    if (!feet) feet.emplace(face, tolerance);
+    if (keeps_on(of, between, *feet, within)) found.push_back(between);
+  };
+  if (!points.empty()) add({of.range.from, points.front().t});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].tangential) add(points[i].box_t);
+    add({points[i].t, i + 1 < points.size() ? points[i + 1].t : of.range.to});
+  }
+  return found;
+}
+
+std::optional<Interval> stretch_beside(const RangedCurve& along, const RangedCurve& of,
+                                       const Interval& stretch, double within) {
+  std::array<EdgeFoot, 3> feet;
+  for (std::size_t i = 0; i < feet.size(); ++i)
+    feet[i] = foot_on(along, of.curve->Value(at(stretch, 0.5 * static_cast<double>(i))));
+  if (std::ranges::any_of(feet, [&](const EdgeFoot& foot) { return foot.distance > within; }))
+    return {};
+  const double from = feet.front().parameter, to = feet.back().parameter;
+  return Interval{std::min(from, to), std::max(from, to)};
 }
 
 bool lies_throughout(const RangedCurve& of, const SurfaceProjector& feet, double reach) {

@@ -3,14 +3,17 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Geom_Curve.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <gp_Pnt.hxx>
 
 #include "adapters/occt/faces/surface_projector.h"
 #include "core/math/interval.h"
+#include "core/results/curve_surface_result.h"
 #include "core/results/result.h"
 
 namespace blossom::occt {
@@ -42,6 +45,21 @@ bool passes(const RangedCurve& of, const Interval& stretch, const SurfaceProject
 /// Whether an edge is within reach of a surface all along a stretch, by samples.
 bool keeps_on(const RangedCurve& of, const Interval& stretch, const SurfaceProjector& feet,
               double reach);
+
+/// The stretches of an edge that are one place, in which it touches a face and crosses it twice by
+/// what the two are off: a touch, between two roots, or from a root to an end of the edge. They are
+/// short, and the edge does not leave the surface in them.
+/// points      that the edge has in common with the face, by their parameters
+/// tolerance   by which they were found, model units
+/// within      how far off the surface is still on it, model units
+std::vector<Interval> one_places(const RangedCurve& of, const TopoDS_Face& face,
+                                 const std::vector<CurveSurfacePoint>& points, double tolerance,
+                                 double within);
+
+/// The stretch of an edge that runs along all of a short one of another edge, by samples; nothing
+/// if it comes to be farther than `within` from it.
+std::optional<Interval> stretch_beside(const RangedCurve& along, const RangedCurve& of,
+                                       const Interval& stretch, double within);
 
 /// Whether a curve lies in a surface from end to end, by points at uneven distances, so that one
 /// that only crosses it again and again does not seem to.
