@@ -270,8 +270,10 @@ SplitSolid split_solid(const Side& side, const std::vector<std::vector<TopoDS_Ed
   SplitSolid made{side.name, side.solid, {}, {}};
   for (std::size_t i = 0; i < side.faces.size(); ++i)
     for (const FacePiece& piece : side.faces[i].split().pieces) {
+      const TopoDS_Face face = joined.rebuilt(piece.face);
+      if (face.IsNull()) continue;
       made.pieces.push_back(
-          {joined.rebuilt(piece.face), static_cast<int>(i),
+          {face, static_cast<int>(i),
            side_by_cuts({&piece, &side.faces[i].cuts(), &side.faces[i].sources()})});
       for (const CutUse& use : piece.cuts) made.crossed.Add(joined.united(use.edge));
     }

@@ -2,6 +2,7 @@
 #include "adapters/occt/splitting/edges/edge_union.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <BRep_Builder.hxx>
@@ -59,6 +60,20 @@ double distance_from(const Handle(Geom_Plane) & plane, const TopoDS_Edge& edge) 
     largest = std::max(largest, plane->Pln().Distance(curve->Value(t)));
   }
   return largest;
+}
+
+constexpr std::array kInside{0.25, 0.5, 0.75};
+
+// Whether nothing of an edge is farther from its only vertex than that one's tolerance.
+bool lies_in_its_vertex(const TopoDS_Edge& edge) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  if (curve.IsNull()) return false;
+  const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
+  return std::ranges::all_of(kInside, [&](double part) {
+    return BRep_Tool::Pnt(vertex).Distance(curve->Value(at(range, part))) <=
+           BRep_Tool::Tolerance(vertex);
+  });
 }
 
 // What `from` has was made without a place of its own, so that its curves' places are in model
@@ -160,7 +175,12 @@ TopoDS_Edge EdgeUnion::united(const TopoDS_Edge& edge) {
   }
   if (!changed) made = first;
   const bool was_closed = TopExp::FirstVertex(first).IsSame(TopExp::LastVertex(first));
-  if (TopExp::FirstVertex(made).IsSame(TopExp::LastVertex(made)) && !was_closed) ++collapsed_;
+  if (TopExp::FirstVertex(made).IsSame(TopExp::LastVertex(made)) && !was_closed) {
+    if (lies_in_its_vertex(made))
+      left_out_.Add(made);
+    else
+      ++collapsed_;
+  }
   made_edges_.Bind(first, made);
   return made;
 }
@@ -170,7 +190,7 @@ TopoDS_Face EdgeUnion::rebuilt(const TopoDS_Face& face) {
   TopoDS_Face made = TopoDS::Face(face.EmptyCopied());
   made.Orientation(TopAbs_FORWARD);
   const auto plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
-  bool changed = false;
+  bool changed = false, any = false;
   for (TopoDS_Iterator part(face.Oriented(TopAbs_FORWARD)); part.More(); part.Next()) {
     if (part.Value().ShapeType() != TopAbs_WIRE) {
       builder.Add(made, part.Value());
@@ -182,17 +202,21 @@ TopoDS_Face EdgeUnion::rebuilt(const TopoDS_Face& face) {
       const TopAbs_Orientation use = it.Value().Orientation();
       changed = changed || !edge.IsSame(it.Value());
       if (!plane.IsNull() && !edge.IsSame(it.Value())) widen(edge, distance_from(plane, edge));
+      if (left_out_.Contains(edge)) continue;
       edges.push_back(
           TopoDS::Edge(edge.Oriented(reversed_.Contains(it.Value()) ? TopAbs::Reverse(use) : use)));
     }
+    if (edges.empty()) continue;
+    any = true;
     TopoDS_Wire wire;
     builder.MakeWire(wire);
     for (const TopoDS_Edge& edge : with_fitted_poles(edges, made)) builder.Add(wire, edge);
     wire.Closed(part.Value().Closed());
     builder.Add(made, wire);
   }
+  if (!changed) return face;
   made.Orientation(face.Orientation());
-  return changed ? made : face;
+  return any ? made : TopoDS_Face();
 }
 
 }  // namespace blossom::occt

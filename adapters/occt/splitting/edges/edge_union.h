@@ -44,11 +44,13 @@ class EdgeUnion {
   /// What stands for an edge; itself if nothing does.
   TopoDS_Edge united(const TopoDS_Edge& edge);
 
-  /// The face with its edges and vertices replaced; itself if none is. Its border stays where it
-  /// was: vertices get tolerances that cover all those they stand for.
+  /// The face with its edges and vertices replaced; itself if none is, null if nothing is left of
+  /// it. Its border stays where it was: vertices get tolerances that cover all those they stand
+  /// for. An edge whose ends became one vertex, and that lies in it as a whole, is left out.
   TopoDS_Face rebuilt(const TopoDS_Face& face);
 
-  /// Edges that shrank to a point when their ends became one; the faces cannot be used then.
+  /// Edges whose ends became one, and that do not lie in their vertex; the faces cannot be used
+  /// then.
   int collapsed() const { return collapsed_; }
 
  private:
@@ -62,6 +64,7 @@ class EdgeUnion {
   TopTools_DataMapOfShapeListOfShape curves_for_;  // edges whose chart curves a first one takes
   TopTools_MapOfShape reversed_;                   // second ones that run against their first
   TopTools_DataMapOfShapeShape made_edges_;
+  TopTools_MapOfShape left_out_;
   int collapsed_ = 0;
 };
 
