@@ -10,9 +10,11 @@ namespace blossom::occt {
 namespace {
 
 // How far beside a contact the surfaces are looked at: of its length, and of the root of that times
-// the tolerance, within which surfaces with a radius of that length do not leave each other.
+// the tolerance, within which surfaces with a radius of that length do not leave each other. Then
+// twice as far and so on, until they do: radii may be up to 256 times as long as the contact.
 constexpr double kBeside = 1e-2;
 constexpr double kLeave = 4;
+constexpr int kMostLooks = 5;
 
 // Beside a tangential curve, the sides of the second face on which the first one lies.
 struct Beside {
@@ -28,8 +30,11 @@ void look_beside(const IntersectionCurve& curve, const SurfaceProjector& on_a,
     const SurfaceJet frame = frame_at(on_a.surface(), point_at(curve.chart_a, s));
     const Vec3 across = cross(cross(frame.du, frame.dv), derivative_at(curve.curve, s));
     for (const double sign : {1.0, -1.0}) {
-      const Vec3 aside = frame.point + (sign * step / norm(across)) * across;
-      const double height = on_b.height(frame_at(on_a.surface(), on_a.foot(aside, {})).point);
+      double height = 0, far = sign * step / norm(across);
+      for (int look = 0; look < kMostLooks && std::abs(height) <= tolerance; ++look, far *= 2) {
+        const Vec3 aside = frame.point + far * across;
+        height = on_b.height(frame_at(on_a.surface(), on_a.foot(aside, {})).point);
+      }
       (std::abs(height) <= tolerance ? beside.open
        : height > 0                  ? beside.above
                                      : beside.below) = true;
