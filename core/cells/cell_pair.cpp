@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/cells/net_ranges.h"
 #include "core/math/four.h"
@@ -17,6 +18,7 @@ constexpr double kFlat = 0.3;
 
 constexpr double kInverseRoundoff = 1e-14;  // relative, of a 3 x 3 inverse times its matrix
 constexpr int kPowerSteps = 4;              // towards the Perron vector of the spread
+constexpr double kSlowest = 1e-6;           // of an arc's parameter beside the fastest one
 constexpr double kLittle = 1e-3;            // of the largest entry, which keeps all positive
 
 bool boxes_apart(const Cell& a, const Cell& b, double gap) {
@@ -184,10 +186,13 @@ int JacobianBounds::best_column() const { return largest_of(four_minors(columns_
 
 int JacobianBounds::certified_column() const {
   const FourMinors minors = four_minors(columns_);
-  const int best = largest_of(minors.size);
-  if (minors.regular[static_cast<std::size_t>(best)]) return best;
-  const auto any = std::find(minors.regular.begin(), minors.regular.end(), true);
-  return any == minors.regular.end() ? -1 : static_cast<int>(any - minors.regular.begin());
+  const double best = minors.size[static_cast<std::size_t>(largest_of(minors.size))];
+  std::array<double, 4> sizes = minors.size;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (!minors.regular[k]) sizes[k] = std::numeric_limits<double>::quiet_NaN();
+  const int column = largest_of(sizes);
+  const double size = sizes[static_cast<std::size_t>(column)];
+  return size > 0 && !(size < kSlowest * kSlowest * best) ? column : -1;
 }
 
 BLOSSOM_HOT Minor JacobianBounds::minor(int left_out) const {

@@ -65,7 +65,8 @@ class JacobianBounds {
   /// The column whose minor has the largest determinant in the middle, for unit columns.
   int best_column() const;
 
-  /// A column whose minor is regular, the best one if it is; -1 if none is.
+  /// The best of the columns whose minors are regular; -1 if there is none, or arcs move so slowly
+  /// along its parameter, beside the fastest one, that they may run along its borders.
   int certified_column() const;
 
  private:

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/surface_intersection.h"
 #include "tests/support/solids.h"
 
@@ -43,6 +46,46 @@ INSTANTIATE_TEST_SUITE_P(Offsets, ArcsAlongBorders,
                          ::testing::Values(-1e-8, -1e-10, -1e-11, -1e-12, -3e-13, -1e-13, -1e-14,
                                            -1e-16, 0.0, 1e-18, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12,
                                            1e-9));
+
+// A quarter of a cylinder and a plane that is turned by a little about a point of its border: the
+// curve is on the cylinder where the plane has passed it.
+class CurvesAcrossBorders : public ::testing::TestWithParam<double> {};
+
+TEST_P(CurvesAcrossBorders, AreFoundHoweverSlowlyTheyCross) {
+  constexpr double kHeight = 3, kCrossing = 1.4;
+  const double tilt = GetParam();
+  BezierSurface quarter;
+  quarter.u_knots = quarter.v_knots = {0, 1};
+  quarter.rational = true;
+  quarter.patches = Grid<RationalBezierPatch>(1, 1);
+  Grid<Vec4>& net = quarter.patches(0, 0).points;
+  net = Grid<Vec4>(3, 2);
+  const double w = std::sqrt(0.5);
+  for (int j = 0; j < 2; ++j) {
+    const double z = j * kHeight;
+    net(0, j) = {1, 0, z, 1};
+    net(1, j) = {w, w, z * w, w};
+    net(2, j) = {0, 1, z, 1};
+  }
+  const auto corner = [&](double x, double z) { return Vec3{x, tilt * (z - kCrossing), z}; };
+  const BezierSurface plane =
+      testing::quadrilateral(corner(-1, -1), corner(2, -1), corner(-1, 4), corner(2, 4));
+  for (const bool turned : {false, true}) {
+    const SurfaceIntersection found =
+        turned ? intersect(plane, quarter) : intersect(quarter, plane);
+    EXPECT_NE(found.status, Status::Stopped) << turned;
+    ASSERT_EQ(found.curves.size(), 1u) << turned;
+    EXPECT_LT(found.certificate.certified + found.certificate.critical, 1000) << turned;
+    // Within tolerance of the border either side is right.
+    const double open = std::min(1e-7 / tilt, kHeight);
+    EXPECT_GT(found.curves[0].length, kHeight - kCrossing - open - 1e-7) << turned;
+    EXPECT_LT(found.curves[0].length, kHeight - kCrossing + open + 1e-7) << turned;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Tilts, CurvesAcrossBorders,
+                         ::testing::Values(1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9,
+                                           1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 1e-5, 1e-4));
 
 // Cells of a patch are halved at 0.4865 first, off their middle.
 TEST(ArcsAlongLines, BetweenCellsOfOnePatchAreFoundOnce) {
