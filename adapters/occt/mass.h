@@ -27,9 +27,8 @@ struct Mass {
 /// One closed solid, or faces that bound none.
 ///
 /// accuracy   1e-10 of the area; of the volume and the moments 1e-10 of their integrals' absolute
-///            values over the faces. Gaps between the faces count for what they are: a shell that
-///            is open by its edges' tolerances has a volume that is off by about these times its
-///            edges' lengths times its size
+///            values over the faces. Where faces end beside their common edge, strips of straight
+///            lines to its curve close the shell (faces/border_strips.h)
 /// limit      asked before each face; null: none
 /// throws     LimitFailure when it is reached; BadModel as `area` (faces/area.h)
 ///

@@ -17,6 +17,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/repair/true_inputs.h"
 #include "adapters/occt/solids/combined_pair.h"
@@ -198,26 +199,26 @@ TopTools_MapOfShape faces_of(const TrimTool& part, const std::vector<TrimTool>& 
   return faces;
 }
 
-double volume_of(const std::vector<TopoDS_Face>& faces, ConeVolumes& cones) {
+// With what lies between faces and their edges, which pieces do not share out exactly.
+double closed_volume_of(const std::vector<TopoDS_Face>& faces, ConeVolumes& cones) {
   double volume = 0;
-  for (const TopoDS_Face& face : faces) volume += cones.of(face);
-  return volume;
-}
-
-double volume_of(const TopoDS_Solid& solid, ConeVolumes& cones) {
-  double volume = 0;
-  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
-    volume += cones.of(TopoDS::Face(it.Current()));
+  for (const TopoDS_Face& face : faces)
+    volume += cones.of(face) + cone_volume_beside(face, cones.apex());
   return volume;
 }
 
 // Steps measure what they combine, which is not always all of an input.
 TotalVolumes total_of(const TrimTool& part, const std::vector<TrimTool>& tools,
                       const std::vector<TopoDS_Solid>& solids, ConeVolumes& cones) {
-  TotalVolumes total{volume_of(part.faces, cones), 0, 0};
+  TotalVolumes total{closed_volume_of(part.faces, cones), 0, 0};
   for (const TrimTool& tool : tools)
-    if (tool.is_solid()) total.tools += volume_of(tool.faces, cones);
-  for (const TopoDS_Solid& solid : solids) total.result += volume_of(solid, cones);
+    if (tool.is_solid()) total.tools += closed_volume_of(tool.faces, cones);
+  for (const TopoDS_Solid& solid : solids) {
+    std::vector<TopoDS_Face> faces;
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+      faces.push_back(TopoDS::Face(it.Current()));
+    total.result += closed_volume_of(faces, cones);
+  }
   return total;
 }
 
@@ -297,6 +298,21 @@ SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimT
   return finer;
 }
 
+// And counts faces of results among all that their inputs have.
+void tell_loose_faces(const TrimTool& part, const std::vector<TrimTool>& tools,
+                      SolidTrimResult& result) {
+  const auto tell = [&](const TrimTool& input, const std::string& name) {
+    if (input.loose > 0) result.left_out.push_back(describe_loose_faces(input, name));
+  };
+  tell(part, part_name(part));
+  for (std::size_t i = 0; i < tools.size(); ++i) tell(tools[i], tool_name(tools, i));
+  if (!result.left_out.empty()) result.status = weaker(result.status, Status::Tolerance);
+  for (SolidFace& face : result.faces) {
+    const TrimTool& of = face.tool < 0 ? part : tools[static_cast<std::size_t>(face.tool)];
+    if (!of.places.empty()) face.from = of.places[static_cast<std::size_t>(face.from)];
+  }
+}
+
 }  // namespace
 
 namespace {
@@ -337,6 +353,7 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   SolidTrimResult result;
   with_threads(options.threads,
                [&] { result = trimmed_at_corners(part, tools, operation, options); });
+  tell_loose_faces(part, tools, result);
   if (!part.is_solid()) result.open_part = describe_open_shell(part);
   if (!result.obstacles.empty()) {
     // Two ends of curves may have one cause.

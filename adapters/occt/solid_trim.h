@@ -24,7 +24,8 @@ enum class SolidOperation {
            ///< and on the sides of sheets
 };
 
-/// Volumes by our own integration over faces and pieces, cubic model units.
+/// Volumes by our own integration over faces and pieces, cubic model units; without what lies
+/// between faces and their edges' curves.
 struct SolidVolumes {
   double part = 0;
   double tool = 0;
@@ -38,7 +39,8 @@ struct SolidVolumes {
   double fuse_error() const;
 };
 
-/// Of all inputs and of what came out, however many steps that took.
+/// Of all inputs and of what came out, however many steps that took; of shells that strips close
+/// where faces end beside their edges (faces/border_strips.h), as `mass_of` has them.
 struct TotalVolumes {
   double part = 0;
   double tools = 0;
@@ -79,6 +81,7 @@ struct SolidTrimResult {
   TotalVolumes total;                 ///< 0 if there is no result
   TotalAreas areas;                   ///< likewise; of sheets that are combined
   std::string open_part;  ///< why the part is taken as a sheet, as `describe_open_shell`
+  std::vector<std::string> left_out;    ///< faces of inputs that are loose beside closed solids
   std::vector<std::string> obstacles;   ///< why there is no result; none if it can be used
   std::vector<std::string> thin;        ///< pieces, or cuts, that are apart and count as one
   std::vector<std::string> tolerances;  ///< what was not true about those of the part and the tools
@@ -93,6 +96,9 @@ std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& t
                             SolidOperation operation);
 
 /// Combines closed solids, or sheets with solids and with each other.
+///
+/// Loose faces of an input, beside its closed solids, are left out. They are told, with the status
+/// Tolerance.
 ///
 /// Faces are split along each other, pieces on the wanted sides put together by their common edges
 /// into closed shells, and shells into solids: a shell that is turned inwards is a void of the

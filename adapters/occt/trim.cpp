@@ -381,6 +381,11 @@ TrimResult trim(const std::vector<PartFace>& part, const std::vector<TrimTool>& 
     left.intersection.threads = options.intersection.threads;
     faces = divided_one_by_one(part, tools, left, result);
   }
+  for (const TrimTool& tool : tools) {
+    if (tool.loose == 0) continue;
+    result.notes.push_back(describe_loose_faces(tool, tool.name.empty() ? "a tool" : tool.name));
+    result.status = weaker(result.status, Status::Tolerance);
+  }
   collect(*faces, options, result);
   const int count = static_cast<int>(result.pieces.size());
   if (options.keep == Keep::Number && (options.piece < 1 || options.piece > count))

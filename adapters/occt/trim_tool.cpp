@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <BRepCheck_Shell.hxx>
@@ -52,6 +54,17 @@ void check_orientation(const TopoDS_Solid& solid) {
   if (is_inside_out(solid)) throw BadModel("a solid is turned inside out");
 }
 
+void drop_loose_faces(TrimTool& tool, const TopTools_IndexedMapOfShape& bounding) {
+  if (bounding.Extent() == static_cast<int>(tool.faces.size())) return;
+  const std::vector<TopoDS_Face> all = std::exchange(tool.faces, {});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!bounding.Contains(all[i])) continue;
+    tool.faces.push_back(all[i]);
+    tool.places.push_back(static_cast<int>(i));
+  }
+  tool.loose = static_cast<int>(all.size() - tool.faces.size());
+}
+
 }  // namespace
 
 bool is_closed_solid(const TopoDS_Shape& solid) {
@@ -71,20 +84,22 @@ bool is_closed_solid(const TopoDS_Shape& solid) {
 
 TrimTool trim_tool(const TopoDS_Shape& shape) {
   TrimTool tool;
-  tool.faces = faces_of(shape);
   TopTools_IndexedMapOfShape bounding;
   for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
-    if (!TopExp_Explorer(it.Current(), TopAbs_FACE).More()) continue;  // bounds nothing
-    if (!is_closed_solid(it.Current())) {
-      tool.solids.clear();
-      return tool;
-    }
+    if (!is_closed_solid(it.Current())) continue;
     check_orientation(TopoDS::Solid(it.Current()));
     TopExp::MapShapes(it.Current(), TopAbs_FACE, bounding);
     tool.solids.push_back(TopoDS::Solid(it.Current()));
   }
-  if (bounding.Extent() != static_cast<int>(tool.faces.size())) tool.solids.clear();
+  tool.faces = faces_of(shape);
+  if (tool.is_solid()) drop_loose_faces(tool, bounding);
   return tool;
+}
+
+std::string describe_loose_faces(const TrimTool& tool, const std::string& name) {
+  if (tool.loose == 0) return {};
+  return std::to_string(tool.loose) + (tool.loose == 1 ? " face of " : " faces of ") + name +
+         (tool.loose == 1 ? " is" : " are") + " in no closed solid and left out";
 }
 
 TrimTool solid_tool(const std::vector<TopoDS_Solid>& solids) {

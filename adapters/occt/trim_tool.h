@@ -17,6 +17,9 @@ struct TrimTool {
   std::vector<TopoDS_Face> faces;
   std::vector<TopoDS_Solid> solids;  ///< those that the faces bound; empty for an open tool
   std::string name{};                ///< in messages; empty: "the part" or "the tool"
+  std::vector<int>
+      places{};   ///< of the faces among all of the shape, from 0; empty if they are all
+  int loose = 0;  ///< faces of the shape that are none of these: see `trim_tool`
 
   bool is_solid() const { return !solids.empty(); }
 };
@@ -25,11 +28,17 @@ struct TrimTool {
 /// Internal edges bound nothing.
 bool is_closed_solid(const TopoDS_Shape& solid);
 
-/// A tool of all the shape's faces; solid if all belong to closed solids. Empty ones are left out.
+/// A tool of the shape's closed solids. Faces beside them, as of sheets and of solids that are
+/// open, are loose and left out. Of a shape without a closed solid all faces make an open
+/// tool.
+///
 /// throws   BadModel if faces of a closed solid are turned differently, or all inwards
 TrimTool trim_tool(const TopoDS_Shape& shape);
 
-/// The same of solids that are known to be closed and turned outwards: nothing is checked.
+/// What is to be told of loose faces; empty if there are none.
+std::string describe_loose_faces(const TrimTool& tool, const std::string& name);
+
+/// A tool of solids that are known to be closed and turned outwards: nothing is checked.
 TrimTool solid_tool(const std::vector<TopoDS_Solid>& solids);
 
 /// What becomes of cuts, or parts of them, that divide nothing since they end inside of the face.

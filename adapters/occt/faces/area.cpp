@@ -4,26 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <Geom_BezierSurface.hxx>
-#include <Geom_SweptSurface.hxx>
-#include <Precision.hxx>
-#include <TColStd_Array1OfReal.hxx>
 
-#include "adapters/occt/base/points.h"
-#include "adapters/occt/convert/surfaces_detail.h"
+#include "adapters/occt/faces/area_surface.h"
+#include "adapters/occt/faces/border_strips.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "core/base/not_zero.h"
-#include "core/forms/iso_line.h"
 #include "core/math/functions/quadrature.h"
 
 namespace blossom::occt {
@@ -41,19 +33,6 @@ constexpr double kNoHeight = 1e-14;
 
 constexpr int kDensityCells = 4;  // each way: where a density is looked at to see its size
 
-// Some numbers that are integrated together, and what the rounding of each is relative to: more,
-// where it is a difference.
-template <int Count>
-struct Sample {
-  using Values = Vec<double, Count>;
-  Values values;
-  Values sizes;
-};
-
-// What is integrated over the chart: by point and normal S_u x S_v.
-template <int Count>
-using Integrand = std::function<Sample<Count>(const Vec3&, const Vec3&)>;
-
 template <int Count>
 Vec<double, Count> largest(Vec<double, Count> a, const Vec<double, Count>& b) {
   for (int i = 0; i < Count; ++i) a[i] = std::max(a[i], b[i]);
@@ -63,144 +42,6 @@ Vec<double, Count> largest(Vec<double, Count> a, const Vec<double, Count>& b) {
 // Whether what is integrated is an area or the volume of a cone, which run along a surface's own
 // lines as Lines says.
 enum class Runs { AlongLines, Freely };
-
-// Along v it is constant where that is a length along parallel straight lines; along u it is
-// a + b cos u + c sin u where all turns about one axis with u: points and normals turn alike. On a
-// plane it is one constant.
-enum class Lines { Any, Even, Turning, Constant };
-
-// The surface of a face, no farther than it goes. Splines, and what is swept from them, are taken
-// in Bezier form, since to look up spans and expand them anew for every point takes many times
-// longer.
-class AreaSurface {
- public:
-  AreaSurface(const TopoDS_Face& face, const ParameterBox& box);
-
-  /// Where the surface is less than smooth along u or v, with the ends of the box.
-  std::vector<double> knots(Along along) const;
-
-  /// How the density of what is integrated, an area or the volume of a cone, runs along the
-  /// surface's own lines.
-  Lines lines() const;
-
- private:
-  friend class AreaLine;
-  static BezierSurface spans_of(const Handle(Geom_Surface) & surface, const ParameterBox& box);
-
-  ParameterBox box_;
-  GeomAdaptor_Surface adaptor_;
-  BezierSurface spans_;  // none where the surface itself is as quick, or no exact form is known
-};
-
-AreaSurface::AreaSurface(const TopoDS_Face& face, const ParameterBox& box) : box_(box) {
-  const Handle(Geom_Surface) surface = basis_of(BRep_Tool::Surface(face));
-  const ParameterBox natural = natural_bounds(*surface);
-  const auto common = [](const Interval& a, const Interval& b) {
-    return Interval{std::max(a.from, b.from), std::min(a.to, b.to)};
-  };
-  const ParameterBox inside{common(box.u, natural.u), common(box.v, natural.v)};
-  if (inside.u.from < inside.u.to && inside.v.from < inside.v.to) {
-    box_ = inside;
-    spans_ = spans_of(surface, inside);
-  }
-  adaptor_.Load(surface, box_.u.from, box_.u.to, box_.v.from, box_.v.to);
-}
-
-BezierSurface AreaSurface::spans_of(const Handle(Geom_Surface) & surface, const ParameterBox& box) {
-  if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface); !spline.IsNull())
-    return spline_patches(*spline, box);
-  if (const auto bezier = Handle(Geom_BezierSurface)::DownCast(surface); !bezier.IsNull())
-    return spline_patches(*bezier, box);
-  if (Handle(Geom_SweptSurface)::DownCast(surface).IsNull()) return {};
-  BezierSurface swept = swept_patches(surface, box, Precision::Confusion());
-  return swept.error == 0 ? swept : BezierSurface{};
-}
-
-std::vector<double> AreaSurface::knots(Along along) const {
-  const bool u = along == Along::U;
-  if (!spans_.patches.empty()) {
-    std::vector<double> knots = u ? spans_.u_knots : spans_.v_knots;
-    const Interval& side = u ? box_.u : box_.v;
-    knots.front() = side.from;
-    knots.back() = side.to;
-    return knots;
-  }
-  const int count = u ? adaptor_.NbUIntervals(GeomAbs_CN) : adaptor_.NbVIntervals(GeomAbs_CN);
-  TColStd_Array1OfReal ends(1, count + 1);
-  if (u)
-    adaptor_.UIntervals(ends, GeomAbs_CN);
-  else
-    adaptor_.VIntervals(ends, GeomAbs_CN);
-  return {ends.begin(), ends.end()};
-}
-
-Lines AreaSurface::lines() const {
-  switch (adaptor_.GetType()) {
-    case GeomAbs_Plane: return Lines::Constant;
-    case GeomAbs_Cylinder:
-    case GeomAbs_SurfaceOfExtrusion: return Lines::Even;
-    case GeomAbs_Cone:
-    case GeomAbs_Sphere:
-    case GeomAbs_Torus: return Lines::Turning;
-    default: return Lines::Any;
-  }
-}
-
-// A line of the surface along x at a constant y, over the span round some x.
-class AreaLine {
- public:
-  AreaLine(const AreaSurface& surface, Along along, double y, double x)
-      : surface_(surface), along_(along), y_(y) {
-    const BezierSurface& spans = surface.spans_;
-    if (spans.patches.empty()) return;
-    const bool u = along == Along::U;
-    const Span of_u(spans.u_knots, spans.u_law, u ? x : y);
-    const Span of_v(spans.v_knots, spans.v_law, u ? y : x);
-    const Span& across = u ? of_v : of_u;
-    x_ = u ? of_u : of_v;
-    y_rate_ = across.rate(across.local(y));
-    line_.emplace(spans.patches(of_u.number, of_v.number), along, across.local(y));
-  }
-
-  template <int Count>
-  Sample<Count> sample(const Integrand<Count>& integrand, double x) const {
-    if (line_) {
-      const double t = x_.local(x);
-      const PatchJet jet = line_->jet(t);
-      return integrand(jet.point, (x_.rate(t) * y_rate_) * cross(jet.u, jet.v));
-    }
-    gp_Pnt point;
-    gp_Vec du, dv;
-    const bool u = along_ == Along::U;
-    surface_.adaptor_.D1(u ? x : y_, u ? y_ : x, point, du, dv);
-    return integrand(vec(point), vec(du.Crossed(dv).XYZ()));
-  }
-
- private:
-  // A span of the knots; the nearest one, as it goes on, for a parameter outside of all.
-  struct Span {
-    Interval range;
-    ParameterLaw law = ParameterLaw::Linear;
-    int number = 0;
-
-    Span() = default;
-    Span(const std::vector<double>& knots, ParameterLaw of, double parameter) : law(of) {
-      const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
-      range = {*(after - 1), *after};
-      number = static_cast<int>(after - knots.begin()) - 1;
-    }
-    double local(double parameter) const { return local_parameter(law, range, parameter); }
-    // Of the local parameter by the surface's own one.
-    double rate(double t) const { return 1 / parameter_derivative(law, range, t); }
-  };
-
-  const AreaSurface& surface_;
-  Along along_;
-  double y_;
-  Span x_;
-  double y_rate_ = 1;
-  std::optional<IsoLine> line_;
-};
 
 // The surface over the box of the trims. The inner integral runs along the direction called x, that
 // of which the density is known or that with fewer spans; the other one is y.
@@ -413,6 +254,22 @@ double integral_over(const TopoDS_Face& face, const Integrand<1>& integrand, int
                          cells)[0];
 }
 
+// What is linear in the normal, over the strips from the face to its edges' curves.
+template <int Count>
+Vec<double, Count> integral_beside(const TopoDS_Face& face, const Integrand<Count>& integrand) {
+  Vec<double, Count> sum;
+  over_border_strips(
+      face, [&](const Vec3& point, const Vec3& normal) { sum += integrand(point, normal).values; });
+  return sum;
+}
+
+Integrand<1> cone_density(const Vec3& apex) {
+  return [apex](const Vec3& point, const Vec3& normal) {
+    const double reach = norm(point) + norm(apex);
+    return Sample<1>{{dot(point - apex, normal) / 3}, {reach * norm(normal) / 3}};
+  };
+}
+
 // The entries of s s^T.
 Vec<double, 6> squares_of(const Vec3& s) {
   return {s[0] * s[0], s[1] * s[1], s[2] * s[2], s[0] * s[1], s[0] * s[2], s[1] * s[2]};
@@ -430,13 +287,12 @@ double area(const TopoDS_Face& face, int cells) {
 }
 
 double cone_volume(const TopoDS_Face& face, const Vec3& apex, double enough) {
-  const double volume = integral_over(
-      face,
-      [&](const Vec3& point, const Vec3& normal) {
-        const double reach = norm(point) + norm(apex);
-        return Sample<1>{{dot(point - apex, normal) / 3}, {reach * norm(normal) / 3}};
-      },
-      1, enough);
+  const double volume = integral_over(face, cone_density(apex), 1, enough);
+  return face.Orientation() == TopAbs_REVERSED ? -volume : volume;
+}
+
+double cone_volume_beside(const TopoDS_Face& face, const Vec3& apex) {
+  const double volume = integral_beside(face, cone_density(apex))[0];
   return face.Orientation() == TopAbs_REVERSED ? -volume : volume;
 }
 
@@ -455,7 +311,8 @@ ConeMoments cone_moments(const TopoDS_Face& face, const Vec3& apex) {
     return sample;
   };
   const FaceTrims trims = face_trims(face);
-  Vec<double, kCount> sums = integral_within(trims, Density(face, trims, moments, Runs::Freely));
+  Vec<double, kCount> sums = integral_within(trims, Density(face, trims, moments, Runs::Freely)) +
+                             integral_beside(face, moments);
   if (face.Orientation() == TopAbs_REVERSED) sums = -sums;
   ConeMoments result{sums[0], {sums[1], sums[2], sums[3]}, {}};
   for (int k = 0; k < 6; ++k) result.second[k] = sums[4 + k];

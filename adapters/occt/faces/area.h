@@ -39,8 +39,14 @@ double area(const TopoDS_Face& face, int cells = 1);
 /// throws     as area
 double cone_volume(const TopoDS_Face& face, const Vec3& apex, double enough = 0);
 
+/// The volume of the cone over the strips between a face and its edges' curves
+/// (faces/border_strips.h), with the sign of the face's own cone. With them the sum over a closed
+/// shell does not depend on the apex where its edges have a tolerance; without them pieces of a
+/// face add up to it. throws     as area
+double cone_volume_beside(const TopoDS_Face& face, const Vec3& apex);
+
 /// Moments of the cone from a point over a face, with the sign of its volume. Those of the cones of
-/// a closed shell add up to those of what it encloses.
+/// a closed shell add up to those of what it encloses, with the strips of `cone_volume_beside`.
 ///
 ///   first    integral of r over the cone      = integral over the chart of 3/4 s  (s . N) / 3
 ///   second   integral of r r^T over the cone  = integral over the chart of 3/5 s s^T (s . N) / 3

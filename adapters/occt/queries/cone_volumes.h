@@ -20,6 +20,8 @@ class ConeVolumes {
   /// throws   BadModel as that
   double of(const TopoDS_Face& face);
 
+  const Vec3& apex() const { return apex_; }
+
  private:
   Vec3 apex_;
   NCollection_DataMap<TopoDS_Shape, double, TopTools_ShapeMapHasher> forward_;  // by face

@@ -145,6 +145,7 @@ Json solid_report(const SolidAnswer& answer) {
            {{"part", answer.made.total.part},
             {"tools", answer.made.total.tools},
             {"result", answer.made.total.result}}},
+          {"left_out", answer.made.left_out},
           {"obstacles", answer.made.obstacles},
           {"thin", answer.made.thin},
           {"tolerances", answer.made.tolerances},

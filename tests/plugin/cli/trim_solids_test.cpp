@@ -349,6 +349,29 @@ TEST_F(TrimSolidsCommand, CutsASheetByASolid) {
   EXPECT_NEAR(report["areas"]["result"].get<double>(), occt::area(inside.face(1)), 1e-9);
 }
 
+// A box in a file with a sheet before it, which has no inside.
+TEST_F(TrimSolidsCommand, LeavesOutFacesBesideSolidsAndTellsIt) {
+  occt::quiet_messages();
+  occt::Model mixed;
+  mixed.add(BRepBuilderAPI_MakeFace(gp_Pln({0, 0, 1}, {0, 0, 1}), -9, 19, -9, 19).Face(), "datum");
+  mixed.add(BRepPrimAPI_MakeBox(gp_Pnt(3, -2, 0), gp_Pnt(5, 2, 3)).Shape(), "block");
+  occt::write_model(mixed, folder / "mixed.step");
+  for (const auto& [operation, volume] :
+       {std::pair{"cut", 12.0}, {"common", 12.0}, {"fuse", 36.0}}) {
+    const Finished run =
+        blossom({"trim", folder / "mixed.step", folder / "beside.brep", "--solid", operation, "-o",
+                 folder / "made.step", "--json", folder / "made.json"});
+    EXPECT_EQ(run.code, 3) << run.err;
+    EXPECT_NE(run.out.find("mixed.step is in no closed solid and left out"), std::string::npos)
+        << run.out;
+    const json report = json::parse(testing::text_of(folder / "made.json"));
+    EXPECT_EQ(report["left_out"].size(), 1U);
+    EXPECT_NEAR(report["total"]["result"].get<double>(), volume, 1e-9);
+    const occt::Model made = occt::read_model(folder / "made.step");
+    EXPECT_EQ(made.part_name(1).substr(0, 5), "block");
+  }
+}
+
 TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
   EXPECT_NE(combine("ball.step", {"join"}).err.find("'join'"), std::string::npos);
   EXPECT_EQ(combine("ball.step", {"join"}).code, 2);

@@ -182,6 +182,7 @@ std::string summary(const SolidTrim& options, const TimedSolids& timed) {
        << ", " << counted_shapes(timed.made) << ", " << seconds_text(timed.seconds) << "\n";
   if (!timed.made.open_part.empty())
     text << "  " << options.part << " is taken as a sheet: " << timed.made.open_part << "\n";
+  for (const std::string& loose : timed.made.left_out) text << "  " << loose << "\n";
   text << told_volumes(options, timed.made);
   if (timed.watertight) text << summary_of(*timed.watertight);
   for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";

@@ -17,6 +17,7 @@
 #include <BRepPrimAPI_MakeHalfSpace.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GCE2d_MakeSegment.hxx>
 #include <Geom2d_BezierCurve.hxx>
@@ -31,6 +32,7 @@
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Circ.hxx>
@@ -64,6 +66,34 @@ TEST(Area, OfElementaryFacesIsExactTo1e13) {
   const TopoDS_Face cone = BRepBuilderAPI_MakeFace(new Geom_ConicalSurface(gp_Ax3(), kPi / 6, 0), 0,
                                                    2 * kPi, 0, 2, 1e-7);
   EXPECT_NEAR(area(cone), 2 * kPi, 1e-12);  // slant 2, radius 1
+}
+
+// The top of a box is lifted by so much beside its edges, which keep their curves.
+TEST(Area, OfConesOverFacesThatEndBesideTheirEdgesCountsWhatIsBetween) {
+  const double lift = 0.003;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-1, -2, 0), gp_Pnt(9, 8, 10)).Shape();
+  const BRep_Builder builder;
+  for (TopExp_Explorer it(box, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Face face = TopoDS::Face(it.Current());
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+    if (std::abs(surface->Value(0, 0).Z() - 10) > 1e-9 ||
+        std::abs(surface->Value(1, 1).Z() - 10) > 1e-9)
+      continue;
+    const Handle(Geom_Geometry) lifted = surface->Translated(gp_Vec(0, 0, lift));
+    builder.UpdateFace(face, Handle(Geom_Surface)::DownCast(lifted), TopLoc_Location(), 1e-7);
+    for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
+      builder.UpdateEdge(TopoDS::Edge(edge.Current()), 1.1 * lift);
+  }
+  for (const Vec3& apex : {Vec3{4, 3, 5}, Vec3{900, -300, 500}}) {
+    double sum = 0, moment = 0;
+    for (TopExp_Explorer it(box, TopAbs_FACE); it.More(); it.Next()) {
+      sum += cone_volume(TopoDS::Face(it.Current()), apex) +
+             cone_volume_beside(TopoDS::Face(it.Current()), apex);
+      moment += cone_moments(TopoDS::Face(it.Current()), apex).first[2];
+    }
+    EXPECT_NEAR(sum, 100 * (10 + lift), 1e-8);
+    EXPECT_NEAR(moment, 100 * (10 + lift) * (0.5 * (10 + lift) - apex[2]), 1e-5);
+  }
 }
 
 // Even lines (planes, cylinders, extrusions) and turning ones (cones, spheres, tori), cut across.
