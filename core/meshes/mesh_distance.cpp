@@ -95,16 +95,11 @@ class Search {
 
   void add(const Corners& corner, const std::array<OtherMesh::Nearest, 3>& near, int triangle) {
     Facet facet{corner, near, triangle, kInfinity};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Corners there = other_.corners(near[k].triangle);
-      double most = 0;
-      for (const Vec3& p : corner) most = std::max(most, squared_gap(p, there));
-      facet.upper = std::min(facet.upper, most);
-      if (near[k].square > lower_ || found_.triangle < 0) {
-        lower_ = near[k].square;
-        found_.point = corner[k];
-        found_.triangle = triangle;
-      }
+    for (std::size_t k = 0; k < 3; ++k) take(facet, corner[k], near[k]);
+    if (is_open(facet)) {
+      // Where meshes coincide a corner is as near to each facet round it, the middle to one alone.
+      const Vec3 middle = (1.0 / 3) * (corner[0] + corner[1] + corner[2]);
+      take(facet, middle, other_.nearest(middle, near[0].triangle));
     }
     if (is_open(facet))
       open_.push(facet);
@@ -126,6 +121,18 @@ class Search {
   }
 
  private:
+  // A place of the facet with what is nearest to it.
+  void take(Facet& facet, const Vec3& place, const OtherMesh::Nearest& near) {
+    const Corners there = other_.corners(near.triangle);
+    double most = 0;
+    for (const Vec3& p : facet.corner) most = std::max(most, squared_gap(p, there));
+    facet.upper = std::min(facet.upper, most);
+    if (near.square <= lower_ && found_.triangle >= 0) return;
+    lower_ = near.square;
+    found_.point = place;
+    found_.triangle = facet.triangle;
+  }
+
   bool is_open(const Facet& facet) const {
     const double upper = std::sqrt(facet.upper);
     return upper > accuracy_ && upper > std::sqrt(lower_) + accuracy_;

@@ -14,6 +14,8 @@ constexpr double kSpacing = 4.8;
 // So much longer than wide may triangles be that follow the curvature.
 constexpr double kMostLong = 16;
 
+constexpr double kLeastAllowed = 0.5;  // of the deviation, for what facets themselves are off
+
 constexpr int kElementaryCells = 12;  // of a direction in which the density changes
 
 Vec2 wanted(const CurvatureSample& at, const FacetOptions& options) {
@@ -91,7 +93,7 @@ PointNormal ChartSurface::frame_at(const Vec2& uv) const {
 double ChartSurface::facet_distance(const std::array<Vec2, 3>& corners, const Vec3& normal) const {
   if (const auto* elementary = std::get_if<ElementaryChart>(&chart_))
     return blossom::facet_distance(*elementary, corners);
-  return std::get<SplineChart>(chart_).facet_distance(corners, normal, options_.deviation);
+  return std::get<SplineChart>(chart_).facet_distance(corners, normal, allowed());
 }
 
 FacetDensity ChartSurface::density(const Vec2& low, const Vec2& high) const {
@@ -111,6 +113,10 @@ FacetDensity ChartSurface::density(const Vec2& low, const Vec2& high) const {
         return curvature_at(elementary, {low[0], 0.5 * (v[k] + v[k + 1])});
       },
       options_);
+}
+
+double ChartSurface::allowed() const {
+  return std::max(options_.deviation - error(), kLeastAllowed * options_.deviation);
 }
 
 double ChartSurface::error() const {

@@ -37,6 +37,10 @@ class ChartSurface {
   /// low, high   box of the trims
   FacetDensity density(const Vec2& low, const Vec2& high) const;
 
+  /// What the error leaves of the deviation for facets and borders, but half of it at least: where
+  /// facets had to be nearer than the chords beside them, no point would do.
+  double allowed() const;
+
   /// Distance to the surface it stands for; model units.
   double error() const;
 

@@ -27,20 +27,23 @@ constexpr double kNearSide = 0.4;
 constexpr double kSagitta = 2.5;
 // Of the deviation: borders are not made shorter than this to undo folds.
 constexpr double kShortFold = 0.5;
-constexpr double kLeastAllowed = 0.5;  // of the deviation, for what facets themselves are off
 // In facets: so long may borders be, where these have an aspect. Halves are not too short then.
 constexpr double kLongBorder = 1.5;
 // Of a side: corners that are nearer to its middle make a flat facet.
 constexpr double kFlat = 0.05;
 // Of the distance of a facet: sides that are farther than this are worth dividing.
 constexpr double kLongSide = 0.4;
+constexpr int kAskEvery = 4096;  // points
+
+struct Stop {};
 
 class FacetBuilder {
  public:
   FacetBuilder(const ModelFace& face, const ShapeModel& model,
                const std::vector<EdgePolyline>& polylines, const ChartSurface& surface,
-               const FacetOptions& options)
-      : model_(model),
+               const FacetOptions& options, const std::function<bool()>& ask)
+      : ask_(ask),
+        model_(model),
         polylines_(polylines),
         surface_(surface),
         options_(options),
@@ -51,7 +54,7 @@ class FacetBuilder {
     const bool last = round == kLastRound;
     if (polygon_.sides.empty()) return refused("its borders have no length");
     if (!last) {
-      std::vector<EdgeSegment> far = polygon_.too_far(surface_, allowed());
+      std::vector<EdgeSegment> far = polygon_.too_far(surface_, surface_.allowed());
       if (!far.empty()) return {std::move(far), {}};
       std::vector<EdgeSegment> longer = long_sides();
       if (!longer.empty()) return {std::move(longer), {}};
@@ -176,6 +179,7 @@ class FacetBuilder {
   }
 
   int add_inner(ConstrainedDelaunay& mesh, const Vec2& uv, int face) {
+    if (ask_ && ++added_ % kAskEvery == 0 && !ask_()) throw Stop{};
     const PointNormal frame = surface_.frame_at(uv);
     corners_.push_back({{}, uv, frame.point, frame.normal});
     moved_.push_back(0);
@@ -253,12 +257,6 @@ class FacetBuilder {
     return true;
   }
 
-  // What the error of the surface leaves of the deviation, but half of it at least. Borders get the
-  // same: where facets had to be nearer than the chords beside them, no point would do.
-  double allowed() const {
-    return std::max(options_.deviation - surface_.error(), kLeastAllowed * options_.deviation);
-  }
-
   double moved_of(const std::array<int, 3>& corners) const {
     double most = 0;
     for (const int corner : corners) most = std::max(most, moved_[index(corner)]);
@@ -299,12 +297,14 @@ class FacetBuilder {
     std::vector<int> open;
     for (std::size_t i = 0; i < mesh.faces().size(); ++i)
       if (mesh.faces()[i].inside) open.push_back(static_cast<int>(i));
+    far_.resize(mesh.faces().size());
     while (!open.empty()) {
-      const Face face = mesh.faces()[index(open.back())];
       const int number = open.back();
+      const Face face = mesh.faces()[index(number)];
       open.pop_back();
       const double far = distance_of(face.corner);
-      if (far <= allowed() || is_small(face.corner) || is_flat(face.corner)) continue;
+      far_[index(number)] = far;
+      if (far <= surface_.allowed() || is_small(face.corner) || is_flat(face.corner)) continue;
       const Vec2 uv = dividing_point(mesh, face, far);
       // Rounding may put it a little beside the face.
       const int found = mesh.locate(scaled(uv));
@@ -313,6 +313,7 @@ class FacetBuilder {
                               [&](int corner) { return mesh.point(corner) == scaled(uv); }))
         continue;
       const int made = add_inner(mesh, uv, holder);
+      far_.resize(mesh.faces().size());
       if (mesh.faces()[index(number)].corner == face.corner) open.push_back(number);
       mesh.for_each_face_at(made, [&](int changed) { open.push_back(changed); });
     }
@@ -374,9 +375,12 @@ class FacetBuilder {
   FaceFacets collected(const ConstrainedDelaunay& mesh) {
     FaceFacets result;
     std::vector<int> places(corners_.size(), -1);
-    for (const Face& face : mesh.faces()) {
+    for (std::size_t number = 0; number < mesh.faces().size(); ++number) {
+      const Face& face = mesh.faces()[number];
       if (!face.inside || is_flat(face.corner)) continue;
-      result.distance = std::max(result.distance, distance_of(face.corner) + moved_of(face.corner));
+      const double moved = moved_of(face.corner);
+      result.moved = std::max(result.moved, moved);
+      result.distance = std::max(result.distance, far_[number] + moved);
       result.folded += is_folded(face.corner);
       std::array<int, 3> triangle{};
       for (std::size_t k = 0; k < 3; ++k) {
@@ -393,6 +397,8 @@ class FacetBuilder {
     return result;
   }
 
+  const std::function<bool()>& ask_;
+  int added_ = 0;  // points inside
   const ShapeModel& model_;
   const std::vector<EdgePolyline>& polylines_;
   const ChartSurface& surface_;
@@ -401,6 +407,7 @@ class FacetBuilder {
   FacetDensity density_;
   std::vector<FaceCorner> corners_;
   std::vector<double> moved_;  // of each corner: from the surface
+  std::vector<double> far_;    // of each face inside, since it was refined last
   std::vector<int> poles_;     // of each corner: the parameter along the pole it is at, or -1
 };
 
@@ -408,13 +415,15 @@ class FacetBuilder {
 
 FaceAttempt facets_of(const ModelFace& face, const ShapeModel& model,
                       const std::vector<EdgePolyline>& polylines, const ChartSurface& surface,
-                      const FacetOptions& options, int round) {
+                      const FacetOptions& options, int round, const std::function<bool()>& ask) {
   try {
-    return FacetBuilder(face, model, polylines, surface, options).attempt(round);
+    return FacetBuilder(face, model, polylines, surface, options, ask).attempt(round);
   } catch (const InvalidInput& error) {
     FaceAttempt attempt;
     attempt.facets.obstacle = error.what();
     return attempt;
+  } catch (const Stop&) {
+    return {};
   }
 }
 

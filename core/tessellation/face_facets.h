@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct FaceFacets {
   /// Numbers of corners, counter-clockwise round S_u x S_v.
   std::vector<std::array<int, 3>> triangles;
   double distance = 0;  ///< proven between facets and surface, both ways; model units
+  double moved = 0;     ///< of that: how far corners on edges are off the surface, at most
   int folded = 0;  ///< facets whose normal is turned from the surface's by more than a right angle
   std::string obstacle = {};  ///< why there are no facets; empty if all is well
 };
@@ -50,8 +52,10 @@ inline constexpr int kLastRound = 14;
 /// polylines   of all edges
 /// round       of attempts, from 0 on; in the last one nothing is divided any more, and what
 ///             crosses is an obstacle
+/// ask         asked now and then whether to go on; what is returned if it says no means nothing
 FaceAttempt facets_of(const ModelFace& face, const ShapeModel& model,
                       const std::vector<EdgePolyline>& polylines, const ChartSurface& surface,
-                      const FacetOptions& options, int round);
+                      const FacetOptions& options, int round,
+                      const std::function<bool()>& ask = {});
 
 }  // namespace blossom

@@ -70,19 +70,18 @@ class Mesher {
   bool goes_on() {
     if (!ask_) return true;
     const std::lock_guard<std::mutex> lock(asking_);
-    return !stopped_ && ask_();
+    if (!stopped_ && !ask_()) stopped_ = true;
+    return !stopped_;
   }
 
   void attempt(const std::vector<std::size_t>& faces, int round) {
     parallel_for(faces.size(), 1, [&](std::size_t k) {
-      if (!goes_on()) {
-        stopped_ = true;
-        return;
-      }
+      if (!goes_on()) return;
       const std::size_t f = faces[k];
       const ModelFace& face = model_.faces[f];
       if (!surfaces_[f]) surfaces_[f] = std::make_unique<ChartSurface>(face.surface, options_);
-      attempts_[f] = facets_of(face, model_, polylines_, *surfaces_[f], options_, round);
+      attempts_[f] = facets_of(face, model_, polylines_, *surfaces_[f], options_, round,
+                               [this] { return goes_on(); });
     });
   }
 
@@ -137,6 +136,7 @@ class Mesher {
     MeshedFace face;
     face.triangles = facets.triangles;
     face.distance = facets.distance;
+    face.moved = facets.moved;
     face.folded = facets.folded;
     face.obstacle = facets.obstacle;
     for (const FaceCorner& corner : facets.corners) {

@@ -26,6 +26,7 @@ struct MeshedFace {
   /// Numbers of corners, counter-clockwise round S_u x S_v.
   std::vector<std::array<int, 3>> triangles;
   double distance = 0;  ///< proven between facets and face, both ways; model units
+  double moved = 0;     ///< how far edges are off the face where corners are on them, at most
   int folded = 0;       ///< facets turned from the surface's normal by more than a right angle
   std::string obstacle = {};  ///< why there are no facets; empty if all is well
 };

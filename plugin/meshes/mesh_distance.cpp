@@ -73,10 +73,19 @@ bool MeshSource::mesh_model(double deviation, double angle, const std::function<
 double MeshDistance::lower() const { return std::max(a_to_b.lower, b_to_a.lower); }
 double MeshDistance::upper() const { return std::max(a_to_b.upper, b_to_a.upper); }
 
+std::optional<bool> MeshDistance::is_within() const {
+  if (within && upper() <= *within) return true;
+  if (within && lower() > *within) return false;
+  return {};
+}
+
 MeshDistance distance_of(MeshSource& a, MeshSource& b, double tolerance,
-                         const std::function<bool()>& ask) {
+                         const std::function<bool()>& ask, std::optional<double> within) {
   const auto start = std::chrono::steady_clock::now();
-  MeshDistance found{a.name(), b.name(), {}, {}};
+  MeshDistance found;
+  found.a = a.name();
+  found.b = b.name();
+  found.within = within;
   double deviation = kFirstDeviation * std::max(a.size(), b.size());
   for (int round = 0; round < kRounds; ++round, deviation *= kFiner) {
     if (!a.refine(deviation, ask) || !b.refine(deviation, ask)) break;
@@ -86,16 +95,23 @@ MeshDistance distance_of(MeshSource& a, MeshSource& b, double tolerance,
     if (round > 0 && !ask()) break;
     found.a_to_b = forth;
     found.b_to_a = back;
-    if (found.upper() - found.lower() <= std::max(tolerance, kGoodPart * found.upper())) break;
-    if (!a.is_model() && !b.is_model()) break;
+    const double apart = found.upper() - found.lower();
+    if (within ? found.is_within().has_value()
+               : apart <= std::max(tolerance, kGoodPart * found.upper()))
+      break;
+    if (!a.is_model() && !b.is_model() && accuracy <= tolerance) break;
   }
+  if (within && !found.is_within()) found.status = Status::Tolerance;
   if (!ask()) found.status = Status::Stopped;
   found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return found;
 }
 
 reports::Json mesh_distance_report(const MeshDistance& found) {
-  return {{"schema", "blossom.mesh-distance/1"},
+  const std::optional<bool> is_within = found.is_within();
+  return {{"within", found.within ? reports::Json(*found.within) : reports::Json(nullptr)},
+          {"is_within", is_within ? reports::Json(*is_within) : reports::Json(nullptr)},
+          {"schema", "blossom.mesh-distance/1"},
           {"a", found.a},
           {"b", found.b},
           {"status", to_string(found.status)},

@@ -56,6 +56,11 @@ struct MeshDistance {
   Status status = Status::Complete;
   double seconds = 0;
 
+  std::optional<double> within;  ///< what was asked about, model units
+
+  /// Whether they are within it; none if the bounds leave it open, or nothing was asked.
+  std::optional<bool> is_within() const;
+
   double lower() const;
   double upper() const;
 };
@@ -65,8 +70,10 @@ struct MeshDistance {
 ///
 /// tolerance   the bounds are to be this near, or the upper one below it; model units
 /// ask         whether to go on; the bounds hold if it ends, and the status is Stopped
+/// within      if given: no more is done than tells whether they are; the status is Tolerance where
+///             this stays open
 MeshDistance distance_of(MeshSource& a, MeshSource& b, double tolerance,
-                         const std::function<bool()>& ask);
+                         const std::function<bool()>& ask, std::optional<double> within = {});
 
 /// Schema blossom.mesh-distance/1.
 reports::Json mesh_distance_report(const MeshDistance& found);

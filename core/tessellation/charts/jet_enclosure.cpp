@@ -60,8 +60,8 @@ double largest_mean(double a, double b, double c) {
   b = std::max(b / a, 0.0), c = std::max(c / a, 0.0);
   const double excess = b + c - 1;
   if (!(excess > 0)) return a / 4;
-  // It is taken inside of the triangle. As the excess is at most b and at most c, what is divided by
-  // is at least 3 b c, and rounded little.
+  // It is taken inside of the triangle. As the excess is at most b and at most c, what is divided
+  // by is at least 3 b c, and rounded little.
   return a * std::clamp(b * c / (4 * b * c - excess * excess), 0.25, 1.0 / 3);
 }
 

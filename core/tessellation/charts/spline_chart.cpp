@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/base/not_zero.h"
 #include "core/forms/evaluation.h"
@@ -16,9 +17,12 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostParts = 8;           // of a span
+constexpr int kMostParts = 8;           // of a span, where it has few facets
+constexpr int kMostFineParts = 1000;    // of a span
 constexpr double kMuchChange = 0.3;     // of the size of second derivatives, within a cell
 constexpr double kMuchTurn = 0.3;       // likewise of first ones
+constexpr double kLittleChange = 0.05;  // of second ones: what cells add to bounds of their facets
+constexpr double kFacetsInCell = 4;     // along a direction: cells are not made smaller for that
 constexpr int kMostPatches = 6;         // of which the parts under a facet are asked
 constexpr double kLeastPart = 0x1p-30;  // of a span: facets are not narrower
 constexpr double kNoBend = 0.2;         // of the wanted distance: it need not be known better
@@ -34,27 +38,54 @@ double width_in(const std::vector<double>& ends, int k, double low, double high)
   return std::min(high, ends[index(k + 1)]) - std::max(low, ends[index(k)]);
 }
 
+std::pair<Vec2, Vec2> rectangle_of(const std::array<Vec2, 3>& corners) {
+  Vec2 low = corners[0], high = low;
+  for (const Vec2& corner : corners)
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], corner[k]);
+      high[k] = std::max(high[k], corner[k]);
+    }
+  return {low, high};
+}
+
 std::vector<double> even_cuts(int parts) {
   std::vector<double> cuts;
   for (int k = 0; k <= parts; ++k) cuts.push_back(static_cast<double>(k) / parts);
   return cuts;
 }
 
-// Parts of a patch in both directions.
-int wanted_parts(const CellJet& whole, double h_u, double h_v, double fine) {
+struct Parts {
+  int u = 1, v = 1;
+};
+
+int limited(double parts, double least, double most) {
+  return static_cast<int>(std::clamp(std::ceil(parts), least, most));
+}
+
+// Of a patch in both directions. Where there are many facets cells are small enough to bound most
+// of them: asking each for its own rectangle costs as much as a cell.
+Parts wanted_parts(const CellJet& whole, double h_u, double h_v, double fine) {
   const JetEnclosure& jet = whole.jet;
   const auto sum = [&](double uu, double uv, double vv) {
     return h_u * h_u * uu + 2 * h_u * h_v * uv + h_v * h_v * vv;
   };
   const double change = sum(norm(jet.uu.radius), norm(jet.uv.radius), norm(jet.vv.radius));
   const double size = sum(norm(jet.uu.centre), norm(jet.uv.centre), norm(jet.vv.centre));
-  if (change + size <= 8 * kNoBend * fine) return 1;
+  if (change + size <= 8 * kNoBend * fine) return {};
   const double turn =
       std::max(norm(whole.first_u.radius) / std::max(norm(whole.first_u.centre), kNotZero),
                norm(whole.first_v.radius) / std::max(norm(whole.first_v.centre), kNotZero));
   const double parts =
       std::max(change / std::max(kMuchChange * size, 8 * kNoBend * fine), turn / kMuchTurn);
-  return static_cast<int>(std::clamp(std::ceil(parts), 1.0, double{kMostParts}));
+  const int least = limited(parts, 1, kMostParts);
+  const auto finer = [&](double bend) {
+    const double facets = std::sqrt(bend / (8 * fine));
+    return limited(
+        std::min(change / (kLittleChange * std::max(size, kNotZero)), facets / kFacetsInCell),
+        least, kMostFineParts);
+  };
+  const double twist = h_u * h_v * jet.uv.size();
+  return {finer(h_u * h_u * jet.uu.size() + twist), finer(h_v * h_v * jet.vv.size() + twist)};
 }
 
 // By the surface's own parameters, by which the local ones have the derivatives u and v. Their
@@ -101,11 +132,11 @@ void SplineChart::choose_cells(double fine) {
       const Interval v{surface_.v_knots[index(j)], surface_.v_knots[index(j + 1)]};
       const CellJet whole =
           cell_jet(patches(i, j), {u, surface_.u_law, {0, 1}}, {v, surface_.v_law, {0, 1}});
-      const int parts = wanted_parts(whole, length(u), length(v), fine);
+      const Parts parts = wanted_parts(whole, length(u), length(v), fine);
       const bool bends_u = whole.jet.uu.size() + whole.jet.uv.size() > 0;
       const bool bends_v = whole.jet.vv.size() + whole.jet.uv.size() > 0;
-      if (bends_u) u_parts_[index(i)] = std::max(u_parts_[index(i)], parts);
-      if (bends_v) v_parts_[index(j)] = std::max(v_parts_[index(j)], parts);
+      if (bends_u) u_parts_[index(i)] = std::max(u_parts_[index(i)], parts.u);
+      if (bends_v) v_parts_[index(j)] = std::max(v_parts_[index(j)], parts.v);
     }
   const auto ends = [](const std::vector<double>& knots, ParameterLaw law,
                        const std::vector<int>& parts) {
@@ -189,7 +220,9 @@ JetEnclosure SplineChart::jet_of_cells(const Vec2& low, const Vec2& high) const 
       [&](int j) { return width_in(v_, j0 + j, low[1], high[1]); });
 }
 
-std::optional<JetEnclosure> SplineChart::jet_of_parts(const Vec2& low, const Vec2& high) const {
+// Over the rectangle round the corners, and no more.
+std::optional<JetEnclosure> SplineChart::jet_of_own(const std::array<Vec2, 3>& corners) const {
+  const auto [low, high] = rectangle_of(corners);
   const std::vector<double>&u = surface_.u_knots, &v = surface_.v_knots;
   const int i0 = span_of(u, low[0]), j0 = span_of(v, low[1]);
   const int i1 = std::max(i0, span_of(u, std::nextafter(high[0], low[0])));
@@ -213,11 +246,13 @@ std::optional<JetEnclosure> SplineChart::jet_of_parts(const Vec2& low, const Vec
       const RationalBezierPatch net = sub_patch(surface_.patches(i, j), side_u.part, side_v.part);
       jets[index((i - i0) * columns + j - j0)] = cell_jet(net, side_u, side_v).jet;
     }
-  return joined_jet(
+  JetEnclosure jet = joined_jet(
       i1 - i0 + 1, columns,
       [&](int i, int j) -> const JetEnclosure& { return jets[index(i * columns + j)]; },
       [&](int i) { return width_in(u, i0 + i, low[0], high[0]); },
       [&](int j) { return width_in(v, j0 + j, low[1], high[1]); });
+  add_jumps(low, high, jet);
+  return jet;
 }
 
 void SplineChart::add_jumps(const Vec2& low, const Vec2& high, JetEnclosure& jet) const {
@@ -231,23 +266,20 @@ void SplineChart::add_jumps(const Vec2& low, const Vec2& high, JetEnclosure& jet
   add(surface_.v_knots, jumps_v_, low[1], high[1], jet.jump_v);
 }
 
+JetEnclosure SplineChart::jet_over(const std::array<Vec2, 3>& corners) const {
+  const auto [low, high] = rectangle_of(corners);
+  JetEnclosure jet = jet_of_cells(low, high);
+  add_jumps(low, high, jet);
+  return jet;
+}
+
 double SplineChart::facet_distance(std::array<Vec2, 3> corners, const Vec3& normal,
                                    double wanted) const {
   for (Vec2& corner : corners) corner = clamped(corner);
-  Vec2 low = corners[0], high = low;
-  for (const Vec2& corner : corners)
-    for (int k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], corner[k]);
-      high[k] = std::max(high[k], corner[k]);
-    }
-  JetEnclosure jet = jet_of_cells(low, high);
-  add_jumps(low, high, jet);
-  const double known = blossom::facet_distance(jet, normal, corners);
+  const double known = blossom::facet_distance(jet_over(corners), normal, corners);
   if (known <= wanted) return known;
-  std::optional<JetEnclosure> own = jet_of_parts(low, high);
-  if (!own) return known;
-  add_jumps(low, high, *own);
-  return std::min(known, blossom::facet_distance(*own, normal, corners));
+  const std::optional<JetEnclosure> own = jet_of_own(corners);
+  return own ? std::min(known, blossom::facet_distance(*own, normal, corners)) : known;
 }
 
 }  // namespace blossom

@@ -39,9 +39,10 @@ class SplineChart {
   double error() const { return surface_.error; }
 
  private:
+  JetEnclosure jet_over(const std::array<Vec2, 3>& corners) const;
   Vec2 clamped(const Vec2& uv) const;
   JetEnclosure jet_of_cells(const Vec2& low, const Vec2& high) const;
-  std::optional<JetEnclosure> jet_of_parts(const Vec2& low, const Vec2& high) const;
+  std::optional<JetEnclosure> jet_of_own(const std::array<Vec2, 3>& corners) const;
   void add_jumps(const Vec2& low, const Vec2& high, JetEnclosure& jet) const;
   void choose_cells(double fine);
   void enclose();

@@ -17,6 +17,7 @@
 #include "plugin/meshes/formats/text_scanner.h"
 #include "plugin/meshes/formats/text_words.h"
 #include "plugin/meshes/mesh_polygons.h"
+#include "plugin/reports/text/number_text.h"
 
 namespace blossom::meshes {
 namespace {
@@ -260,7 +261,8 @@ class PlyReader {
       values_.push_back(0);
       const double count = numbers_.next(*property.count);
       if (!(count >= 0) || count > static_cast<double>(size_))
-        throw BadContent(numbers_.place() + " has a list of " + std::to_string(count) + " numbers");
+        throw BadContent(numbers_.place() + " has a list of " + reports::number_text(count) +
+                         " numbers");
       const bool kept = property.name == "vertex_indices" || property.name == "vertex_index";
       for (double left = count; left > 0; --left) {
         const double value = numbers_.next(property.type);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/reports/models/mesh.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include <BRep_Tool.hxx>
@@ -45,6 +46,7 @@ MeshAnswer answer_of(const occt::ShapeTessellation& made, const TopoDS_Shape& sh
   for (std::size_t f = 0; f < made.facets.faces.size(); ++f) {
     const MeshedFace& face = made.facets.faces[f];
     answer.folded += face.folded;
+    answer.moved = std::max(answer.moved, face.moved);
     if (!face.obstacle.empty()) answer.refused.emplace_back(faces[f], face.obstacle);
   }
   return answer;
@@ -64,6 +66,7 @@ Json mesh_report(const std::string& file, const std::string& output, const MeshA
           {"triangles", answer.triangles},
           {"distance", answer.distance},
           {"rounding", answer.rounding},
+          {"edges_off_faces", answer.moved},
           {"closed",
            answer.edges.open.empty() && answer.edges.crowded.empty() && answer.refused.empty()},
           {"open_edges", answer.edges.open},
@@ -78,6 +81,9 @@ Json mesh_report(const std::string& file, const std::string& output, const MeshA
 std::string mesh_notes(const MeshAnswer& answer) {
   std::ostringstream text;
   const auto number = [](int k) { return k; };
+  if (answer.distance - answer.rounding > answer.options.deviation && answer.moved > 0)
+    text << "  edges of the model are up to " << answer.moved
+         << " off their faces: triangles, which meet there, cannot be nearer\n";
   if (!answer.edges.open.empty())
     text << "  it is open at " << counted(answer.edges.open.size(), "edge")
          << " of one face:" << named(answer.edges.open, number) << "\n";

@@ -28,6 +28,24 @@ TEST(FarthestPoint, OfAMovedSquareIsTheMove) {
   EXPECT_DOUBLE_EQ(found.upper, 0.25);
 }
 
+TEST(FarthestPoint, OfAMeshFromItselfIsNone) {
+  auto random = testing::seeded(6);
+  constexpr int kSide = 12;
+  std::vector<Vec3> points;
+  Triangles triangles;
+  for (int i = 0; i < kSide; ++i)
+    for (int j = 0; j < kSide; ++j) {
+      points.push_back({i + testing::uniform(random, 0, 0.3), j + testing::uniform(random, 0, 0.3),
+                        testing::uniform(random, 0, 1)});
+      if (i == 0 || j == 0) continue;
+      const int here = i * kSide + j;
+      triangles.push_back({here - kSide - 1, here - 1, here});
+      triangles.push_back({here - kSide - 1, here, here - kSide});
+    }
+  const auto found = farthest_point(points, triangles, points, triangles, 1e-6);
+  EXPECT_LE(found.upper, 1e-13);
+}
+
 TEST(FarthestPoint, IsFoundInsideOfAFacet) {
   // Two squares side by side; the middle of the gap between them is farthest.
   std::vector<Vec3> apart = kSquare;

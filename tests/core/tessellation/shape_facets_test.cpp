@@ -198,6 +198,14 @@ TEST(ShapeFacets, OfASphereAreClosedAndWithinTheDeviation) {
   }
 }
 
+TEST(ShapeFacets, EndWithinAFaceWhenTold) {
+  int asked = 0;
+  const ShapeFacets facets =
+      shape_facets(sphere(2), {.deviation = 2e-4}, [&] { return ++asked < 4; });
+  EXPECT_TRUE(facets.stopped);
+  EXPECT_TRUE(facets.faces.empty());
+}
+
 TEST(ShapeFacets, DoNotDependOnTheNumberOfThreads) {
   ShapeFacets one, two;
   with_threads(1, [&] { one = shape_facets(sphere(2), {.deviation = 0.01}); });

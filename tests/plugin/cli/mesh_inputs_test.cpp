@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <numbers>
 #include <string>
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
@@ -83,6 +85,42 @@ TEST_F(MeshInputs, AreAsFarFromTheirModelAsTheyClaim) {
   EXPECT_LE(found["lower"], made["distance"]);
   EXPECT_GE(found["upper"].get<double>(), 0.7 * made["distance"].get<double>());
   EXPECT_LE(found["upper"].get<double>(), 1.3 * found["lower"].get<double>());
+}
+
+TEST_F(MeshInputs, AreToldToBeAPartOrNotWithinADistance) {
+  write(BRepPrimAPI_MakeCylinder(10, 20), "rod.brep");
+  write(BRepPrimAPI_MakeCylinder(10.06, 20), "thick.brep");
+  ASSERT_EQ(
+      blossom({"convert", path("rod.brep"), "-o", path("rod.stl"), "--deviation", "0.02"}).code, 0);
+  const auto asked = [&](const char* part, const char* within) {
+    return blossom({"query", "distance", path("rod.stl"), path(part), "--within", within});
+  };
+  const Finished yes = asked("rod.brep", "0.05"), no = asked("thick.brep", "0.05");
+  EXPECT_EQ(yes.code, 0) << yes.err;
+  EXPECT_NE(yes.out.find("yes, they are within 0.05"), std::string::npos) << yes.out;
+  EXPECT_EQ(no.code, 5) << no.err;
+  EXPECT_NE(no.out.find("no, they are not within 0.05"), std::string::npos) << no.out;
+  const nlohmann::json found =
+      report({"query", "distance", path("rod.stl"), path("thick.brep"), "--within", "0.2"});
+  EXPECT_EQ(found["is_within"], true);
+  EXPECT_GE(found["upper"].get<double>(), 0.06);
+}
+
+TEST_F(MeshInputs, WithColoursAreWrittenAs3mf) {
+  write_text(path("a.off"),
+             "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1 255 0 0\n3 0 1 3 255 0 0\n"
+             "3 1 2 3 0 255 0\n3 0 3 2\n");
+  const Finished ran = blossom({"convert", path("a.off"), "-o", path("a.3mf")});
+  if (ran.err.find("not built in") != std::string::npos) GTEST_SKIP() << ran.err;
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(std::filesystem::exists(path("a.3mf")));
+}
+
+TEST_F(MeshInputs, ThatAreTheSameAreNotApart) {
+  write(BRepPrimAPI_MakeSphere(10), "ball.brep");
+  ASSERT_EQ(blossom({"convert", path("ball.brep"), "-o", path("ball.ply")}).code, 0);
+  const nlohmann::json found = report({"query", "distance", path("ball.ply"), path("ball.ply")});
+  EXPECT_LE(found["upper"].get<double>(), 1e-12);
 }
 
 TEST_F(MeshInputs, OfAnotherPartAreFarFromIt) {

@@ -22,6 +22,7 @@
 #include "plugin/cli/process/supervision.h"
 #include "plugin/meshes/mesh_distance.h"
 #include "plugin/meshes/mesh_judge.h"
+#include "plugin/reports/text/number_text.h"
 
 namespace blossom::cli {
 namespace {
@@ -64,7 +65,15 @@ std::string distance_text(const meshes::MeshDistance& found) {
   const auto between = [&](double lower, double upper) {
     text << "between " << lower << " and " << upper;
   };
-  text << found.a << " - " << found.b << ": " << to_string(found.status)
+  const auto answer = [&]() -> std::string {
+    if (!found.within) return "";
+    const std::optional<bool> is_within = found.is_within();
+    return std::string(!is_within   ? "perhaps"
+                       : *is_within ? "yes, they are"
+                                    : "no, they are not") +
+           " within " + reports::number_text(*found.within) + ", ";
+  };
+  text << found.a << " - " << found.b << ": " << answer() << to_string(found.status)
        << ", farthest from each other ";
   between(found.lower(), found.upper());
   const auto way = [&](const char* words, const meshes::FarthestOfMesh& one) {
@@ -124,18 +133,18 @@ DeepCheck deep_check(const Input& input) {
 }
 
 int run_mesh_distance(const std::string& first, const std::string& second,
-                      const QueryOptions& options) {
+                      std::optional<double> within, const QueryOptions& options) {
   check_files(options, {first, second});
   meshes::MeshSource a = mesh_source_of(first), b = mesh_source_of(second);
   stop_if_interrupted();
   const std::function<bool()> cancelled = interrupted;
   const WorkLimit limit(seconds_left(), cancelled);
-  const meshes::MeshDistance found =
-      meshes::distance_of(a, b, options.tolerance, [&] { return limit.reached() == nullptr; });
+  const meshes::MeshDistance found = meshes::distance_of(
+      a, b, options.tolerance, [&] { return limit.reached() == nullptr; }, within);
   stop_if_interrupted();
   write_answer(meshes::mesh_distance_report(found),
                distance_text(found) + notes_of(a) + notes_of(b), options);
-  return exit_code(found.status);
+  return found.is_within() == false ? kExitFindings : exit_code(found.status);
 }
 
 }  // namespace blossom::cli

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "plugin/cli/arguments/inputs.h"
@@ -27,7 +28,9 @@ struct DeepCheck {
 /// throws   UsageError if the program has no CGAL
 DeepCheck deep_check(const Input& input);
 
-/// The largest distance of two inputs from each other, of which at least one is of triangles.
-int run_mesh_distance(const std::string& a, const std::string& b, const QueryOptions& options);
+/// The largest distance of two inputs from each other.
+/// within   if given: whether it is at most that
+int run_mesh_distance(const std::string& a, const std::string& b, std::optional<double> within,
+                      const QueryOptions& options);
 
 }  // namespace blossom::cli

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "adapters/occt/bodies.h"
@@ -22,9 +23,10 @@ namespace {
 
 struct DistanceCommand {
   std::string a;
-  std::string b;     // empty for a point
-  std::string at;    // the point
-  bool all = false;  // of a point: all feet, too
+  std::string b;                 // empty for a point
+  std::string at;                // the point
+  bool all = false;              // of a point: all feet, too
+  std::optional<double> within;  // of triangles, or of models as such
   long budget = DistanceOptions{}.budget;
   QueryOptions common;
 };
@@ -98,8 +100,8 @@ reports::DistanceAnswer asked(const DistanceCommand& options, QuerySide& a, Quer
 }
 
 int run_distance(const DistanceCommand& options) {
-  if (is_mesh_input(options.a) || is_mesh_input(options.b))
-    return run_mesh_distance(options.a, options.b, options.common);
+  if (options.within || is_mesh_input(options.a) || is_mesh_input(options.b))
+    return run_mesh_distance(options.a, options.b, options.within, options.common);
   check_files(options.common, {options.a, options.b});
   QuerySide a(options.a), b(options.b);
   const reports::DistanceAnswer found = asked(options, a, b, reports::distance_between);
@@ -139,8 +141,8 @@ void add_budget(CLI::App& command, DistanceCommand& options) {
       ->capture_default_str();
 }
 
-void add_pair(CLI::App& query, const char* name, const char* what,
-              int (*run)(const DistanceCommand&), int& exit_code) {
+std::shared_ptr<DistanceCommand> add_pair(CLI::App& query, const char* name, const char* what,
+                                          int (*run)(const DistanceCommand&), int& exit_code) {
   CLI::App* const command = query.add_subcommand(name, what);
   const auto options = std::make_shared<DistanceCommand>();
   command->add_option("a", options->a, "model, or some of its faces")->required()->type_name("A");
@@ -148,6 +150,7 @@ void add_pair(CLI::App& query, const char* name, const char* what,
   add_budget(*command, *options);
   add_query_options(*command, options->common);
   command->callback([options, run, &exit_code] { exit_code = run(*options); });
+  return options;
 }
 
 }  // namespace
@@ -167,10 +170,16 @@ void add_query_point(CLI::App& query, int& exit_code) {
 }
 
 void add_query_distance(CLI::App& query, int& exit_code) {
-  add_pair(query, "distance",
-           "the least distance of two models; of triangles (.stl, .ply, .obj, .off) the largest, "
-           "both ways",
-           run_distance, exit_code);
+  const std::shared_ptr<DistanceCommand> options = add_pair(
+      query, "distance",
+      "the least distance of two models; of triangles (.stl, .ply, .obj, .off) the largest, "
+      "both ways",
+      run_distance, exit_code);
+  query.get_subcommand("distance")
+      ->add_option("--within", options->within,
+                   "whether all of one is that near to the other, both ways; of models, too")
+      ->check(positive_number())
+      ->type_name("D");
 }
 
 void add_query_does_intersect(CLI::App& query, int& exit_code) {
