@@ -10,7 +10,6 @@
 
 #include "core/forms/spline.h"
 #include "core/results/hermite_curves.h"
-#include "core/topology/clipped_result.h"
 #include "core/topology/curve_clip.h"
 
 namespace blossom {
@@ -73,6 +72,8 @@ void elevate(SplineOf<Point>& span, int degree) {
     for (int& multiplicity : span.multiplicities) ++multiplicity;
   }
 }
+
+double worst(const Deviation& of) { return std::max({of.a, of.b, of.between}); }
 
 // At samples.
 Deviation deviation_of(const IntersectionCurve& piece, const FaceTrims& a, const FaceTrims* b) {
@@ -191,7 +192,7 @@ bool append_border_arc(const IntersectionCurve& arc, const FaceTrims& a, const F
     }
     IntersectionCurve piece = bridge(curve, *of, to);
     piece.deviation = deviation_of(piece, a, b);
-    if (edge_tolerance(piece.deviation) > edge_tolerance(curve.deviation)) continue;
+    if (worst(piece.deviation) > std::max(kOnWire, worst(curve.deviation))) continue;
     append(piece, of->last, arc.ends[1 - at], curve);
     return true;
   }
