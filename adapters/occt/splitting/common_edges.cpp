@@ -67,6 +67,9 @@ void CommonEdges::add(const FaceIntersection& pair) {
   const std::vector<TopoDS_Edge> of_a = bounding_edges(a_[face_a]),
                                  of_b = bounding_edges(b_[face_b]);
   const auto& curves = pair.found.curves;
+  for (const Place& place : pair.found.places)
+    if (place.kind == PlaceKind::Node)
+      for (const auto* edges : {&of_a, &of_b}) blur_in(place, *edges);
   const auto any_along = [&](const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& of,
                              const TopoDS_Face& other) {
     const auto most = [this](const TopoDS_Edge& edge) { return most_reach(edge); };
@@ -79,6 +82,12 @@ void CommonEdges::add(const FaceIntersection& pair) {
   const bool overlap = has_overlap(pair);
   if (overlap || any_along(of_b, b_[face_b], a_[face_a])) lay(of_b, Of::B, face_a);
   if (overlap || any_along(of_a, a_[face_a], b_[face_b])) lay(of_a, Of::A, face_b);
+}
+
+void CommonEdges::blur_in(const Place& node, const std::vector<TopoDS_Edge>& edges) {
+  for (const TopoDS_Edge& edge : edges)
+    if (const auto at = stretch_in_node(curve_of(edge), node, options_.tolerances.point))
+      blurs_.push_back({edge, *at});
 }
 
 void CommonEdges::add_loose() {
@@ -227,7 +236,7 @@ void CommonEdges::blur(const TopoDS_Edge& edge, const TopoDS_Face& face,
   const RangedCurve of = curve_of(edge);
   for (const Interval& place : one_places(of, face, points, tolerance, within)) {
     blurs_.push_back({edge, widened_by(of, place, kSampledMargin * within)});
-    for (const TopoDS_Edge& border : edges_of(face)) {
+    for (const TopoDS_Edge& border : bounding_edges(face)) {
       const RangedCurve along = curve_of(border);
       const std::optional<Interval> beside = stretch_beside(along, of, place, within);
       if (beside && is_short(along, *beside, tolerance))

@@ -122,6 +122,7 @@ class CommonEdges {
   void touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of whose);
   void blur(const TopoDS_Edge& edge, const TopoDS_Face& face,
             const std::vector<CurveSurfacePoint>& points);
+  void blur_in(const Place& node, const std::vector<TopoDS_Edge>& edges);
   const std::vector<TopoDS_Face>& a_;
   const std::vector<TopoDS_Face>& b_;
   IntersectionOptions options_;

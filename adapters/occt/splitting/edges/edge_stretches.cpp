@@ -95,6 +95,16 @@ std::optional<Interval> stretch_beside(const RangedCurve& along, const RangedCur
   return Interval{std::min(from, to), std::max(from, to)};
 }
 
+std::optional<Interval> stretch_in_node(const RangedCurve& of, const Place& node,
+                                        double tolerance) {
+  const double size = distance(node.box_low, node.box_high);
+  const EdgeFoot foot = foot_on(of, pnt(0.5 * (node.box_low + node.box_high)));
+  if (size <= tolerance || foot.distance > size) return {};
+  const Interval stretch = widened_by(of, {foot.parameter, foot.parameter}, size);
+  if (!is_short(of, stretch, tolerance)) return {};
+  return stretch;
+}
+
 bool lies_throughout(const RangedCurve& of, const SurfaceProjector& feet, double reach) {
   return std::ranges::all_of(std::array{0.07, 0.21, 0.39, 0.58, 0.74, 0.93}, [&](double part) {
     return std::abs(feet.height(vec(of.curve->Value(at(of.range, part))))) <= reach;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -60,6 +61,10 @@ std::vector<Interval> one_places(const RangedCurve& of, const TopoDS_Face& face,
 /// if it comes to be farther than `within` from it.
 std::optional<Interval> stretch_beside(const RangedCurve& along, const RangedCurve& of,
                                        const Interval& stretch, double within);
+
+/// The stretch of an edge that goes through a node of an intersection: what ends there, in
+/// different points of it, is one place; nothing if it goes past. No longer than a touch may be.
+std::optional<Interval> stretch_in_node(const RangedCurve& of, const Place& node, double tolerance);
 
 /// Whether a curve lies in a surface from end to end, by points at uneven distances, so that one
 /// that only crosses it again and again does not seem to.

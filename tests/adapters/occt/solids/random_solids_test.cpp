@@ -266,6 +266,8 @@ TEST(RandomSolids, AnEdgeMayEndBesideASurfaceThatItTouches) {
 // Much shorter than the radii of both, so that they hardly leave each other beside it.
 TEST(RandomSolids, CylindersMayTouchAlongAShortLine) { expect_right(42859); }
 
+TEST(RandomSolids, ASeamMayGoThroughANode) { expect_right(50188); }
+
 // Its ends are one vertex, which holds it as a whole.
 TEST(RandomSolids, AnEdgeMayVanishInItsVertex) {
   for (const int seed : {1037, 42829}) expect_right(seed);
