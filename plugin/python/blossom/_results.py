@@ -231,15 +231,18 @@ class Record:
     """A part of an answer; its fields are compared by identity, since some are arrays."""
 
     def __repr__(self) -> str:
-        told = []
-        for field in fields(self):
-            value = getattr(self, field.name)
-            told.append(
-                f"{field.name}=array{value.shape}"
-                if isinstance(value, np.ndarray)
-                else f"{field.name}={value!r}"
-            )
+        told = [f"{field.name}={_shown(getattr(self, field.name))}" for field in fields(self)]
         return f"{type(self).__name__}({', '.join(told)})"
+
+
+def _shown(value: Any) -> str:
+    """Points with their numbers, longer arrays by their shape."""
+    if isinstance(value, np.ndarray):
+        is_point = value.ndim == 1 and 0 < len(value) <= 3
+        return f"[{', '.join(f'{each:g}' for each in value)}]" if is_point else f"array{value.shape}"
+    if isinstance(value, tuple) and any(isinstance(each, np.ndarray) for each in value):
+        return f"({', '.join(map(_shown, value))})"
+    return repr(value)
 
 
 @dataclass(eq=False, repr=False)

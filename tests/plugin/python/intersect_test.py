@@ -307,6 +307,7 @@ class LongWork(unittest.TestCase):
         touching = blossom.intersect(FLOOR, paraboloid(0))
         self.assertEqual(touching.status, "tolerance")
         self.assertTrue(any("touch" in reason for reason in touching.reasons), touching.reasons)
+        self.assertRegex(repr(touching.places[0]), r"box=\(\[-.*\], \[.*\]\), gap=")
         cut = blossom.shape(paraboloid(0)).section((0, 0, 0), (0, 0, 1))
         self.assertEqual(cut.reasons, touching.reasons)
         self.assertEqual(blossom.intersect(FLOOR, WALL).reasons, [])
