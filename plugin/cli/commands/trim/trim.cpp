@@ -201,7 +201,10 @@ int run(const TrimCommand& options) {
     throw UsageError("trim needs a TOOL, or a plane by --plane");
   if (!options.solid.empty()) return run_solid(options);
   if (options.fuzzy > 0) throw UsageError("--fuzzy goes with --solid");
-  if (options.keep.empty()) throw UsageError("trim needs --keep, or --solid for solids");
+  if (options.keep.empty())
+    throw UsageError(
+        "trim needs --keep above, below, inside, outside or all; or for solids and sheets --solid "
+        "cut, common, fuse or split");
   std::vector<std::string> files = options.tools;
   files.push_back(options.part);
   check_files(options.common, files, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
