@@ -147,6 +147,63 @@ std::size_t behind_exports(std::string_view text, std::size_t place) {
   return end == kNowhere ? text.size() : end + 1;
 }
 
+// --- empty lists
+
+bool crashes_when_empty(std::string_view keyword) {
+  constexpr std::string_view kKeywords[] = {
+      "B_SPLINE_CURVE_WITH_KNOTS",
+      "B_SPLINE_SURFACE_WITH_KNOTS",
+      "CONTEXT_DEPENDENT_INVISIBILITY",
+      "DERIVED_UNIT",
+      "DIRECTION",
+      "EDGE_LOOP",
+      "GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE",
+      "INTERSECTION_CURVE",
+      "INVISIBILITY",
+      "RATIONAL_B_SPLINE_CURVE",
+      "RATIONAL_B_SPLINE_SURFACE",
+      "SEAM_CURVE",
+      "SURFACE_CURVE",
+      "TRIMMED_CURVE",
+  };
+  return keyword.ends_with("_TOLERANCE") ||
+         std::ranges::find(kKeywords, keyword) != std::end(kKeywords);
+}
+
+bool is_empty_list(std::string_view text, std::size_t open) {
+  const std::size_t next = behind_blanks(text, open + 1);
+  return next < text.size() && text[next] == ')';
+}
+
+/// The places in the empty lists of a statement, among the fields of keywords that crash.
+void add_empty_lists(std::string_view text, std::size_t begin, std::size_t end,
+                     std::vector<std::size_t>& places) {
+  std::vector<std::string_view> owners;  // of open parentheses: the keyword whose fields they hold
+  std::string_view word;
+  for (std::size_t at = begin; at < end;) {
+    if (const std::size_t behind = behind_quoted(text, at); behind > at) {
+      if (text[at] != '/') word = {};
+      at = behind;
+      continue;
+    }
+    if (is_keyword(text[at])) {
+      const std::size_t from = at;
+      while (at < end && is_keyword(text[at])) ++at;
+      word = text.substr(from, at - from);
+      continue;
+    }
+    if (text[at] == '(') {
+      const std::string_view owner = word.empty() && !owners.empty() ? owners.back() : word;
+      if (word.empty() && crashes_when_empty(owner) && is_empty_list(text, at))
+        places.push_back(at + 1);
+      owners.push_back(owner);
+    }
+    if (text[at] == ')' && !owners.empty()) owners.pop_back();
+    if (!is_blank(text[at])) word = {};
+    ++at;
+  }
+}
+
 // --- entities with one number
 
 /// Whether numbers of "#12=", which may stand in strings, ever repeat.
@@ -220,17 +277,13 @@ void open_scopes(std::string& text) {
 
 void fill_empty_lists(std::string& text) {
   std::vector<std::size_t> places;
-  for_each_entity(text, [&](std::size_t place) {
-    if (!has_word(text, place, "SURFACE_CURVE") && !has_word(text, place, "SEAM_CURVE") &&
-        !has_word(text, place, "INTERSECTION_CURVE"))
-      return;
-    const std::size_t open = text.find('(', place), end = behind_parenthesis(text, open);
-    for (std::size_t at = open + 1; end != kNowhere && at < end;) {
-      const std::size_t behind = behind_quoted(text, at);
-      if (text[at] == '(' && text[behind_blanks(text, at + 1)] == ')') places.push_back(at + 1);
-      at = std::max(behind, at + 1);
-    }
-  });
+  for (std::size_t open = text.find('('); open != kNowhere; open = text.find('(', open + 1)) {
+    if (!is_empty_list(text, open)) continue;
+    const std::size_t begin = text.rfind(';', open) + 1;
+    const std::size_t end = std::min(semicolon_from(text, begin), text.size());
+    add_empty_lists(text, begin, end, places);
+    open = std::max(open, end - 1);
+  }
   if (places.empty()) return;
   std::string filled;
   std::size_t done = 0;

@@ -24,8 +24,8 @@ void sort_complex_entities(std::string& text);
 /// exports is dropped.
 void open_scopes(std::string& text);
 
-/// Puts "$" into empty lists of the parameter curves of curves on surfaces, on which Open CASCADE
-/// crashes. With "$" it uses the curves in space, and says that something is missing.
+/// Puts "$" into empty lists of entities on which Open CASCADE crashes, tried with 7.6.3: directions,
+/// knots, weights, loops, curves on surfaces, tolerances. Then it says that something is missing.
 void fill_empty_lists(std::string& text);
 
 /// Makes blanks of entities with a number that one before them has. Unless they are the same, this

@@ -12,12 +12,15 @@
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepGeom_Axis2Placement3d.hxx>
 #include <StepGeom_BSplineCurveWithKnots.hxx>
 #include <StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve.hxx>
 #include <StepGeom_BSplineSurfaceWithKnots.hxx>
 #include <StepGeom_BSplineSurfaceWithKnotsAndRationalBSplineSurface.hxx>
 #include <StepGeom_CartesianPoint.hxx>
+#include <StepGeom_Direction.hxx>
 #include <StepGeom_Pcurve.hxx>
+#include <StepGeom_Placement.hxx>
 #include <StepGeom_SurfaceCurve.hxx>
 #include <StepRepr_DefinitionalRepresentation.hxx>
 #include <StepRepr_HArray1OfRepresentationItem.hxx>
@@ -212,7 +215,7 @@ Fault fault_of(const StepData_StepModel& model, int number) {
 struct Uses {
   std::vector<Handle(StepShape_FaceSurface)> faces;
   std::vector<Handle(StepShape_EdgeCurve)> edges;  ///< in curves in parameters of faces only
-  bool shape = false;                              ///< faces, edges, solids or sets of curves
+  bool shape = false;  ///< faces, edges, solids, sets of curves, or places of parts
 };
 
 /// Goes up from an entity through geometry and topology.
@@ -238,7 +241,7 @@ class Climb {
   void visit(const Entity& entity) {
     if (entity->IsKind(STANDARD_TYPE(StepShape_TopologicalRepresentationItem)) ||
         entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)) ||
-        entity->IsKind(STANDARD_TYPE(StepShape_GeometricSet)))
+        entity->IsKind(STANDARD_TYPE(StepShape_GeometricSet)) || is_place(entity))
       uses_.shape = true;
     if (const auto face = Handle(StepShape_FaceSurface)::DownCast(entity); !face.IsNull()) {
       uses_.faces.push_back(face);
@@ -251,6 +254,16 @@ class Climb {
       else if (may_go_to(user.Value()))
         push(user.Value());
     }
+  }
+
+  /// Of a part in an assembly.
+  bool is_place(const Entity& entity) const {
+    if (!entity->IsKind(STANDARD_TYPE(StepGeom_Placement))) return false;
+    for (Interface_EntityIterator user = graph_.Sharings(entity); user.More(); user.Next())
+      if (is_assembly(user.Value()) ||
+          user.Value()->IsKind(STANDARD_TYPE(StepRepr_RepresentationMap)))
+        return true;
+    return false;
   }
 
   static bool may_go_to(const Entity& user) {
@@ -324,6 +337,25 @@ void leave_out(const Handle(StepShape_FaceSurface) & face) {
   face->SetFaceGeometry(new StepGeom_Surface);
 }
 
+/// Open CASCADE uses the location and the directions of a placement without asking whether they are
+/// there. What bounds faces is left out with them; the rest is not moved, or not turned.
+void keep_placed(const Entity& entity, const Interface_Graph& graph) {
+  if (const auto place = Handle(StepGeom_Placement)::DownCast(entity);
+      !place.IsNull() && place->Location().IsNull()) {
+    const Handle(StepGeom_CartesianPoint) origin = new StepGeom_CartesianPoint;
+    origin->Init3D(new TCollection_HAsciiString(""), 0, 0, 0);
+    place->SetLocation(origin);
+  }
+  const auto direction = Handle(StepGeom_Direction)::DownCast(entity);
+  if (direction.IsNull() || !direction->DirectionRatios().IsNull()) return;
+  for (Interface_EntityIterator user = graph.Sharings(entity); user.More(); user.Next()) {
+    const auto place = Handle(StepGeom_Axis2Placement3d)::DownCast(user.Value());
+    if (place.IsNull()) continue;
+    if (place->HasAxis() && place->Axis() == direction) place->UnSetAxis();
+    if (place->HasRefDirection() && place->RefDirection() == direction) place->UnSetRefDirection();
+  }
+}
+
 /// Takes out what a fault harms, and says what is lost.
 class Damage {
  public:
@@ -335,6 +367,7 @@ class Damage {
                           ? uses_of(owners_.graph(), entity)
                           : Uses{};
     keep_curves_in_space(uses.edges);
+    keep_placed(entity, owners_.graph());
     for (const Handle(StepShape_FaceSurface) & face : uses.faces) add_face(face, entity, fault);
     if (fault.harm == Harm::Field && entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)))
       out_.insert(entity.get());

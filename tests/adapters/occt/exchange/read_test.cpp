@@ -239,6 +239,33 @@ TEST(ReadingStep, TellsNumbersOfSeveralEntities) {
   EXPECT_EQ(faces_of(folder / "again.step"), 18);
 }
 
+/// Reads the sample with each entity of a kind damaged in its first field behind the name, which
+/// ends with a mark.
+void expect_outlived(const std::string& kind, char mark) {
+  const Folder folder;
+  const std::string text = sample(".step"), start = kind + "('',";
+  int wholes = 0;
+  for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at + 1)) {
+    const std::size_t place = at + start.size();
+    std::string damaged = text;
+    damaged.replace(place, text.find(mark, place) - place, mark == ';' ? "$)" : "$");
+    testing::write_content(folder / "damaged.step", damaged);
+    const Model model = read_model(folder / "damaged.step");
+    EXPECT_LE(model.face_count(), 18);
+    if (model.face_count() == 18)
+      ++wholes;
+    else
+      EXPECT_EQ(model.reading().grade(), ReadingGrade::ShapesLost) << kind << at;
+    EXPECT_NE(model.reading().grade(), ReadingGrade::Whole) << kind << at;
+  }
+  EXPECT_GT(wholes, 0);
+}
+
+TEST(ReadingStep, OutlivesPlacementsWithoutALocationOrADirection) {
+  expect_outlived("AXIS2_PLACEMENT_3D", ',');
+  expect_outlived("DIRECTION", ';');
+}
+
 TEST(ReadingStep, UsesCurvesInSpaceWhereThoseInFacesAreAnEmptyList) {
   const Folder folder;
   std::string text = sample(".step");

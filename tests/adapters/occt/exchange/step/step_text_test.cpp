@@ -67,11 +67,15 @@ TEST(StepText, HasNoScopes) {
             "#9=A('&SCOPE');\n #2=B(); #4=C();#3=D(#4); #1= E(#2,#3);");
 }
 
-TEST(StepText, HasNoEmptyListsOfCurvesInFaces) {
+TEST(StepText, HasNoEmptyListsThatCrash) {
   EXPECT_EQ(
       mended("#1=SURFACE_CURVE('()',#2,( ),.PCURVE_S1.);\n#2=SEAM_CURVE('',#2,(),.CURVE_3D.);"),
       "#1=SURFACE_CURVE('()',#2,($ ),.PCURVE_S1.);\n#2=SEAM_CURVE('',#2,($),.CURVE_3D.);");
-  const std::string others = "#1=PRODUCT('',(),$);\n#2=SURFACE_CURVE('',#1,(#3),.CURVE_3D.);";
+  EXPECT_EQ(mended("#1=(CURVE() RATIONAL_B_SPLINE_CURVE( () ));\n#2=DIRECTION('(()',());"),
+            "#1=(CURVE() RATIONAL_B_SPLINE_CURVE( ($) ));\n#2=DIRECTION('(()',($));");
+  const std::string others =
+      "#3=(DIRECTION()LENGTH_UNIT());\n#1=PRODUCT('',(),$);\n#2=SURFACE_CURVE('',#1,(#3),.CURVE_3D."
+      ");";
   EXPECT_EQ(mended(others), others);
 }
 
