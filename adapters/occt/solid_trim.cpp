@@ -19,6 +19,7 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_data.h"
+#include "adapters/occt/repair/narrowed_vertices.h"
 #include "adapters/occt/repair/true_inputs.h"
 #include "adapters/occt/solids/combined_pair.h"
 #include "adapters/occt/solids/labelled_solids.h"
@@ -222,6 +223,12 @@ TotalVolumes total_of(const TrimTool& part, const std::vector<TrimTool>& tools,
   return total;
 }
 
+std::vector<const TrimTool*> all_of(const TrueInputs& inputs) {
+  std::vector<const TrimTool*> all{&inputs.part()};
+  for (const TrimTool& tool : inputs.tools()) all.push_back(&tool);
+  return all;
+}
+
 SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools,
                         SolidOperation operation, const IntersectionOptions& options) {
   const SharedLimit limit(options);
@@ -240,8 +247,10 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
     if (result.obstacles.empty() && result.volumes.size() > 1 &&
         !are_valid(result.solids, faces_of(part, tools), own_limit))
       result.obstacles.emplace_back(kInvalidSolid);
-    if (result.obstacles.empty())
+    if (result.obstacles.empty()) {
+      narrow_vertices(result.solids, all_of(sound));
       result.total = total_of(sound.part(), sound.tools(), result.solids, cones);
+    }
   } catch (const Failure& error) {
     result.obstacles.emplace_back(error.what());
     if (own_limit.reached_after_search() != nullptr) result.status = Status::Stopped;
