@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/coincidence/known_crossings.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_list.h"
@@ -86,9 +88,25 @@ class FaceSections {
     const FaceData& face = faces_.data(i);
     IntersectionOptions options = limit_.remaining();
     options.part_a = part_test(face.trims);
+    if (auto conics = known(i)) return *std::move(conics);
     SurfaceIntersection found = intersect(face.surface, frame_.over(face.box), options);
     // What is proven at edges and vertices follows from those, so touches weaken nothing.
     for (const Touch& touch : clip(found, face.trims, nullptr)) found.points.push_back(touch.at);
+    return found;
+  }
+
+  // What the plane and a quadric have in common, or a torus that it cuts in circles.
+  std::optional<SurfaceIntersection> known(std::size_t i) const {
+    const FaceData& face = faces_.data(i);
+    if (!face.elementary) return {};
+    const TopoDS_Face rectangle = frame_.face_over(face.box);
+    const FaceData plane = face_data(rectangle, tolerance_);
+    auto found =
+        known_crossings(faces_.face(i), face, rectangle, plane, face.box, tolerance_, tolerance_);
+    if (!found) return {};
+    for (const Touch& touch : clip(*found, cutting_trims(face.trims), nullptr, tolerance_))
+      found->points.push_back(touch.at);
+    prove_deviations(face, plane, *found);
     return found;
   }
 

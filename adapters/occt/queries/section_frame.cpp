@@ -4,7 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <gp_Ax3.hxx>
+#include <gp_Pln.hxx>
+
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "core/forms/spans/homogeneous.h"
 
 namespace blossom::occt {
@@ -47,13 +52,24 @@ double SectionFrame::rounding(const Vec3& p) const {
   return kRounding * (max_norm(p) + max_norm(origin_));
 }
 
-BezierSurface SectionFrame::over(const Box& box) const {
+SectionFrame::Rectangle SectionFrame::rectangle_over(const Box& box) const {
   const Vec3 middle = 0.5 * (box.low + box.high) - origin_;
   const double r = (0.5 + kMargin) * diagonal(box);
   const double u = dot(middle, x_), v = dot(middle, y_);
+  return {{u - r, u + r}, {v - r, v + r}};
+}
+
+TopoDS_Face SectionFrame::face_over(const Box& box) const {
+  const auto [u, v] = rectangle_over(box);
+  const gp_Pln plane(gp_Ax3(pnt(origin_), dir(normal_), dir(x_)));
+  return BRepBuilderAPI_MakeFace(plane, u.from, u.to, v.from, v.to);
+}
+
+BezierSurface SectionFrame::over(const Box& box) const {
+  const auto [u, v] = rectangle_over(box);
   BezierSurface surface;
-  surface.u_knots = {u - r, u + r};
-  surface.v_knots = {v - r, v + r};
+  surface.u_knots = {u.from, u.to};
+  surface.v_knots = {v.from, v.to};
   surface.patches = Grid<RationalBezierPatch>(1, 1);
   Grid<Vec4> net(2, 2);
   for (int i = 0; i < 2; ++i)

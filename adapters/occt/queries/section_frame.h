@@ -5,11 +5,14 @@
 
 #include <limits>
 
+#include <TopoDS_Face.hxx>
+
 #include "adapters/occt/plane_section.h"
 #include "core/bounds/box_tree.h"
 #include "core/distance.h"
 #include "core/forms/curve_spans.h"
 #include "core/forms/surface.h"
+#include "core/math/interval.h"
 
 namespace blossom::occt {
 
@@ -30,7 +33,15 @@ class SectionFrame {
   /// plane's coordinates, model units.
   BezierSurface over(const Box& box) const;
 
+  /// The same as a face.
+  TopoDS_Face face_over(const Box& box) const;
+
  private:
+  struct Rectangle {
+    Interval u, v;
+  };
+  Rectangle rectangle_over(const Box& box) const;
+
   Vec3 origin_, normal_, x_, y_;
 };
 
