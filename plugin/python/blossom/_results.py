@@ -202,9 +202,10 @@ class Selective(Result):
 
 
 def _add_reasons(told: Any, found: Dict[str, None]) -> None:
-    """Those of all certificates in a report: it may have one for each plane and part."""
+    """What a report lists as left out, and all its certificates: one for each plane and part."""
     if isinstance(told, dict):
         found.update(dict.fromkeys((told.get("certificate") or {}).get("reasons", [])))
+        found.update(dict.fromkeys(told.get("left_out", [])))
         for value in told.values():
             _add_reasons(value, found)
     elif isinstance(told, list) and told and isinstance(told[0], dict):

@@ -234,6 +234,7 @@ def reasons_of(report):
 def _add_reasons(told, found):
     if isinstance(told, dict):
         found.update(dict.fromkeys((told.get("certificate") or {}).get("reasons", [])))
+        found.update(dict.fromkeys(told.get("left_out", [])))
         told = list(told.values())
     if isinstance(told, list):
         for each in told:

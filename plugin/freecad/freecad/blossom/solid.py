@@ -26,7 +26,7 @@ class Solid(Feature):
         Fact("Solids", "count", "How many solids came out"),
         Fact("Volume", "volume", "Of what came out, cubic mm"),
         Fact("Area", "area", "Of the sheets that came out, square mm"),
-        Fact("Notes", "words", "What was left out, and why"),
+        Fact("Notes", "words", "What counts as one, and tolerances that were not true"),
         Fact("Obstacles", "words", "Why there is no result"),
     )
 
@@ -49,7 +49,7 @@ class Solid(Feature):
             "Solids": len(report["solids"]),
             "Volume": report["total"]["result"],
             "Area": report["areas"]["result"],
-            "Notes": report["left_out"] + report["thin"] + report["tolerances"],
+            "Notes": report["thin"] + report["tolerances"],
             "Obstacles": report["obstacles"],
         }
 
