@@ -49,6 +49,7 @@ std::string describe_open_shell(const TrimTool& tool) {
     edges += ends;
   }
   if (open == 0) return "its shells close, but not all of them are in solids";
+  if (shells.size() == 1) return "its shell is open, at " + counted(edges, "edge");
   return std::to_string(open) + " of its " + counted(shells.size(), "shell") +
          (open == 1 ? " is" : " are") + " open, at " + counted(edges, "edge");
 }

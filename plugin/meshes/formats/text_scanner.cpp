@@ -46,11 +46,6 @@ double number_of(std::string_view word, const std::string& place) {
   return value;
 }
 
-void refuse_end(std::size_t found, std::uint64_t promised, const char* what) {
-  throw BadContent("ends after " + std::to_string(found) + " of " + std::to_string(promised) + " " +
-                   what + ": it is cut off");
-}
-
 bool TextScanner::skip_blanks(bool over_lines) {
   while (at_ < text_.size()) {
     const char c = text_[at_];

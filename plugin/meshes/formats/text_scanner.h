@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -49,8 +48,5 @@ class TextScanner {
 
 /// throws   BadContent with `place` in front
 double number_of(std::string_view word, const std::string& place);
-
-/// "1 of 3 FACES", for messages about files that end too early.
-[[noreturn]] void refuse_end(std::size_t found, std::uint64_t promised, const char* what);
 
 }  // namespace blossom::meshes

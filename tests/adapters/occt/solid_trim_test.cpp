@@ -452,7 +452,7 @@ TEST(TrimSolids, TellHowManyShellsAreOpen) {
   TrimTool open{a.faces, {}};
   EXPECT_EQ(told(open), begin + "its shells close, but not all of them are in solids" + end);
   open.faces.pop_back();
-  EXPECT_EQ(told(open), begin + "1 of its 1 shell is open, at 4 edges" + end);
+  EXPECT_EQ(told(open), begin + "its shell is open, at 4 edges" + end);
   open.faces.insert(open.faces.end(), b.faces.begin(), b.faces.end());
   EXPECT_EQ(told(open), begin + "1 of its 2 shells is open, at 4 edges" + end);
 }
