@@ -324,6 +324,7 @@ TEST_F(TrimSolidsCommand, SplitsByASheet) {
   write(BRepBuilderAPI_MakeFace(slope, -9, 9, -9, 9).Face(), "sheet.brep");
   const Finished run = combine(
       "sheet.brep", {"split", "-o", folder / "parts.step", "--json", folder / "split.json"});
+  EXPECT_EQ(run.out.find("nothing is cut"), std::string::npos) << run.out;
   ASSERT_EQ(run.code, 0) << run.err;
   const occt::Model parts = occt::read_model(folder / "parts.step");
   EXPECT_EQ(parts.face_count(), 12);

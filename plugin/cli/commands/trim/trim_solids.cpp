@@ -139,10 +139,12 @@ std::string counted_shapes(const occt::SolidTrimResult& made) {
                         : counted(made.solids.size(), "solid");
 }
 
+// Sheets have no volume to tell it by.
 bool cuts_nothing(const SolidTrim& options, const occt::SolidTrimResult& made) {
   const bool cuts = options.operation == "cut" || options.operation == "split";
   return cuts && !options.tools.empty() && options.planes.empty() && !made.volumes.empty() &&
-         std::ranges::all_of(made.volumes, [](const auto& step) { return step.common == 0; });
+         std::ranges::all_of(made.volumes,
+                             [](const auto& step) { return step.tool > 0 && step.common == 0; });
 }
 
 // Of the inputs and the result, and how well those of all steps add up.
