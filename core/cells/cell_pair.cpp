@@ -19,7 +19,7 @@ constexpr double kFlat = 0.3;
 constexpr double kInverseRoundoff = 1e-14;  // relative, of a 3 x 3 inverse times its matrix
 constexpr int kPowerSteps = 4;              // towards the Perron vector of the spread
 // Of an arc's parameter beside the fastest one: below, arcs are tangent to its borders, as where
-// they are cut (surfaces/pairs/border_roots.cpp).
+// they are cut (core/surfaces/pairs/border_roots.cpp).
 constexpr double kSlowest = 1e-6;
 constexpr double kLittle = 1e-3;  // of the largest entry, which keeps all positive
 
