@@ -41,8 +41,8 @@ BezierTriangleOf<Point> derivative(const BezierTriangleOf<Point>& triangle, int 
   check_order("derivative", order_x);
   check_order("derivative", order_y);
   BezierTriangleOf<Point> result = triangle;
-  for (int k = 0; k < order_x; ++k) result = detail::one_derivative(result, detail::Along::U);
-  for (int k = 0; k < order_y; ++k) result = detail::one_derivative(result, detail::Along::V);
+  for (int k = 0; k < order_x; ++k) result = detail::one_derivative(result, detail::By::U);
+  for (int k = 0; k < order_y; ++k) result = detail::one_derivative(result, detail::By::V);
   return result;
 }
 

@@ -41,21 +41,20 @@ Grid<T> derivative_net(Grid<T> net, int order_u, int order_v) {
   return net;
 }
 
-/// One derivative by the first parameter or the second: u or v of nets, the barycentric x or y of
-/// triangles.
-enum class Along { U, V };
+/// The parameter of a derivative: u or v of nets, the barycentric x or y of triangles.
+enum class By { U, V };
 
 template <class T>
-Grid<T> one_derivative(const Grid<T>& net, Along along) {
-  return along == Along::U ? derivative_along_u(net) : derivative_along_v(net);
+Grid<T> one_derivative(const Grid<T>& net, By by) {
+  return by == By::U ? derivative_along_u(net) : derivative_along_v(net);
 }
 
 /// N (q_{nu+1 mu} - q_{nu mu}) along x, N (q_{nu mu+1} - q_{nu mu}) along y.
 template <class Point>
-BezierTriangleOf<Point> one_derivative(const BezierTriangleOf<Point>& triangle, Along along) {
+BezierTriangleOf<Point> one_derivative(const BezierTriangleOf<Point>& triangle, By by) {
   using Scalar = scalar_of<Point>;
   const int n = triangle.degree;
-  const int x = along == Along::U ? 1 : 0, y = 1 - x;
+  const int x = by == By::U ? 1 : 0, y = 1 - x;
   if (n == 0) return {0, {Point{}}};
   BezierTriangleOf<Point> result{n - 1, {}};
   for (int nu = 0; nu < n; ++nu)
@@ -130,10 +129,9 @@ BezierTriangleOf<T> raised_to(BezierTriangleOf<T> triangle, const BezierTriangle
 /// With S = X / w^k in `numerator`: the numerator over w^(k + 1) of its derivative,
 /// w X' - k w' X.
 template <class Numerator, class Weight>
-Numerator quotient_derivative(const Numerator& numerator, const Weight& weight, int k,
-                              Along along) {
-  Numerator result = scalar_product(weight, one_derivative(numerator, along));
-  Numerator other = scalar_product(one_derivative(weight, along), numerator);
+Numerator quotient_derivative(const Numerator& numerator, const Weight& weight, int k, By by) {
+  Numerator result = scalar_product(weight, one_derivative(numerator, by));
+  Numerator other = scalar_product(one_derivative(weight, by), numerator);
   const auto values = values_of(result), others = values_of(other);
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] -= others[i] * scalar_of<std::decay_t<decltype(others[i])>>(k);
@@ -149,7 +147,7 @@ Form rational_derivative(const Form& form, int order_u, int order_v) {
   auto numerator = start;
   auto power = weight;
   for (int k = 1; k <= order_u + order_v; ++k) {
-    numerator = quotient_derivative(numerator, weight, k, k <= order_u ? Along::U : Along::V);
+    numerator = quotient_derivative(numerator, weight, k, k <= order_u ? By::U : By::V);
     power = scalar_product(weight, power);
   }
   return joined(raised_to(numerator, power), power);

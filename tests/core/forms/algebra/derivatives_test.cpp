@@ -212,7 +212,7 @@ TEST_P(DerivativesProperty, OfTrianglesAddUpToTheChangeAlongALine) {
   auto sum = exact_point(triangle, x, y);
   Rational factor = 1;
   for (int k = 1; k <= triangle.degree; ++k) {
-    term = detail::one_derivative(term, detail::Along::U);
+    term = detail::one_derivative(term, detail::By::U);
     factor /= 2 * k;
     sum += exact_point(term, x, y) * factor;
   }
