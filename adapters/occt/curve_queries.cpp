@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/curve_queries.h"
 
-#include <algorithm>
+#include <vector>
 
-#include <BRep_Tool.hxx>
-#include <Geom2d_BezierCurve.hxx>
-#include <GeomAPI.hxx>
-#include <gp.hxx>
-#include <gp_Pln.hxx>
-
-#include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
@@ -22,18 +15,6 @@ constexpr double kApproximation = 0.1;
 
 double approximation(const IntersectionOptions& options) {
   return kApproximation * options.tolerances.point;
-}
-
-// (wx, wy, 0, w); numbers that are not finite are refused where curves are checked.
-RationalBezierCurve points_of(const Geom2d_BezierCurve& curve) {
-  RationalBezierCurve result;
-  result.points.reserve(static_cast<std::size_t>(curve.NbPoles()));
-  for (int i = 1; i <= curve.NbPoles(); ++i) {
-    const gp_Pnt2d p = curve.Pole(i);
-    const double w = curve.Weight(i);
-    result.points.push_back({w * p.X(), w * p.Y(), 0, w});
-  }
-  return result;
 }
 
 enum class Side { Inside, Border, Outside };
@@ -63,25 +44,6 @@ CurvePlace border_place(const CurveSurfacePoint& point, double tolerance) {
 }
 
 }  // namespace
-
-CurveSpans bezier_spans(const Handle(Geom2d_Curve) & curve, const Interval& range,
-                        double tolerance) {
-  if (curve.IsNull()) throw BadModel("there is no curve in the plane");
-  // Bezier curves go without the detour, which takes longer than an intersection.
-  const auto bezier = Handle(Geom2d_BezierCurve)::DownCast(curve);
-  if (!bezier.IsNull() && range == Interval{0, 1}) return curve_spans(points_of(*bezier));
-  const Handle(Geom_Curve) lifted = guarded(
-      "lifting a curve into space", [&] { return GeomAPI::To3d(curve, gp_Pln(gp::XOY())); });
-  return bezier_spans(lifted, range, tolerance);
-}
-
-CurveSpans bezier_spans(const TopoDS_Edge& edge, double tolerance) {
-  Interval range;
-  if (edge.IsNull()) throw BadModel("there is no edge");
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
-  if (curve.IsNull()) throw BadModel("an edge has no curve in space");
-  return bezier_spans(curve, range, tolerance);
-}
 
 CurveIntersection intersect(const TopoDS_Edge& a, const TopoDS_Edge& b,
                             const IntersectionOptions& options) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Common points of curves, edges and faces of Open CASCADE, by the core's certified engines.
+// Common points of edges and faces of Open CASCADE, by the core's certified engines.
 //
 // Parameters in the results are Open CASCADE's own. Lines, conics and B-splines are taken exactly;
 // hyperbolas and offset curves within a tenth of the point tolerance, and then the status is
@@ -7,30 +7,16 @@
 
 #pragma once
 
-#include <Geom2d_Curve.hxx>
-#include <Geom_Curve.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "core/base/tolerances.h"
 #include "core/curve_intersection.h"
 #include "core/curve_surface_intersection.h"
-#include "core/math/interval.h"
 
 namespace blossom::occt {
 
-/// A curve on a finite range of its parameters as Bezier spans, z = 0.
-/// throws   BadModel as `bezier_spans`
-CurveSpans bezier_spans(const Handle(Geom2d_Curve) & curve, const Interval& range,
-                        double tolerance = Tolerances{}.point);
-
-/// The curve of an edge in model space, over the edge's range. The edge's orientation is left out:
-/// parameters are the curve's.
-/// throws   BadModel if the edge has no curve in space, or as `bezier_spans`
-CurveSpans bezier_spans(const TopoDS_Edge& edge, double tolerance = Tolerances{}.point);
-
 /// All common points of two edges. Seams and ends of closed edges count as points of the curves.
-/// throws   BadModel as above
+/// throws   BadModel as `bezier_spans` (convert/curves.h)
 CurveIntersection intersect(const TopoDS_Edge& a, const TopoDS_Edge& b,
                             const IntersectionOptions& options = {});
 

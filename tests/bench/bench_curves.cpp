@@ -37,7 +37,8 @@
 
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/surfaces.h"
-#include "adapters/occt/curve_queries.h"
+#include "core/curve_intersection.h"
+#include "core/curve_surface_intersection.h"
 #include "tests/bench/curves_families.h"
 #include "tests/support/curves.h"
 

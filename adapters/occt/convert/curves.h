@@ -4,9 +4,11 @@
 #pragma once
 
 #include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Curve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_Curve.hxx>
+#include <TopoDS_Edge.hxx>
 
 #include "core/base/tolerances.h"
 #include "core/forms/conic.h"
@@ -30,6 +32,16 @@ RationalBezierCurve from_occt(const Geom_BezierCurve& curve);
 ///          curve is not finite or a weight not positive
 CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range,
                         double tolerance = Tolerances{}.point, ArcCuts cuts = ArcCuts::Even);
+
+/// The same of a curve in the plane, z = 0.
+/// throws   BadModel as above
+CurveSpans bezier_spans(const Handle(Geom2d_Curve) & curve, const Interval& range,
+                        double tolerance = Tolerances{}.point);
+
+/// The curve of an edge in model space, over the edge's range. The edge's orientation is left out:
+/// parameters are the curve's.
+/// throws   BadModel if the edge has no curve in space, or as above
+CurveSpans bezier_spans(const TopoDS_Edge& edge, double tolerance = Tolerances{}.point);
 
 /// A Bezier curve with the same points; polynomial, and bit for bit, when all weights are 1.
 /// throws   Failure if Open CASCADE refuses the points

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include <BRep_Tool.hxx>
+#include <Geom2d_BezierCurve.hxx>
+#include <GeomAPI.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Ellipse.hxx>
@@ -15,6 +18,8 @@
 #include <Precision.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <gp.hxx>
+#include <gp_Pln.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
@@ -111,6 +116,18 @@ void check_poles(const Curve& curve) {
   }
 }
 
+// (wx, wy, 0, w); numbers that are not finite are refused where curves are checked.
+RationalBezierCurve points_of(const Geom2d_BezierCurve& curve) {
+  RationalBezierCurve result;
+  result.points.reserve(static_cast<std::size_t>(curve.NbPoles()));
+  for (int i = 1; i <= curve.NbPoles(); ++i) {
+    const gp_Pnt2d p = curve.Pole(i);
+    const double w = curve.Weight(i);
+    result.points.push_back({w * p.X(), w * p.Y(), 0, w});
+  }
+  return result;
+}
+
 }  // namespace
 
 void check_numbers(const Geom_Curve& curve) {
@@ -140,6 +157,25 @@ CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range,
     if (basis->IsPeriodic()) natural = {-Precision::Infinite(), Precision::Infinite()};
     return spans_of(basis, checked_range(range, natural, "the curve's range"), tolerance, cuts);
   });
+}
+
+CurveSpans bezier_spans(const Handle(Geom2d_Curve) & curve, const Interval& range,
+                        double tolerance) {
+  if (curve.IsNull()) throw BadModel("there is no curve in the plane");
+  // Bezier curves go without the detour, which takes longer than an intersection.
+  const auto bezier = Handle(Geom2d_BezierCurve)::DownCast(curve);
+  if (!bezier.IsNull() && range == Interval{0, 1}) return curve_spans(points_of(*bezier));
+  const Handle(Geom_Curve) lifted = guarded(
+      "lifting a curve into space", [&] { return GeomAPI::To3d(curve, gp_Pln(gp::XOY())); });
+  return bezier_spans(lifted, range, tolerance);
+}
+
+CurveSpans bezier_spans(const TopoDS_Edge& edge, double tolerance) {
+  Interval range;
+  if (edge.IsNull()) throw BadModel("there is no edge");
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  if (curve.IsNull()) throw BadModel("an edge has no curve in space");
+  return bezier_spans(curve, range, tolerance);
 }
 
 }  // namespace blossom::occt

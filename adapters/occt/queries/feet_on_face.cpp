@@ -13,7 +13,7 @@
 #include <gp_Pln.hxx>
 #include <gp_Sphere.hxx>
 
-#include "adapters/occt/curve_queries.h"
+#include "adapters/occt/convert/curves.h"
 #include "core/math/binomial.h"
 
 namespace blossom::occt {

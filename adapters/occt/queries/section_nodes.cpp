@@ -14,7 +14,7 @@
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
-#include "adapters/occt/curve_queries.h"
+#include "core/curve_surface_intersection.h"
 
 namespace blossom::occt {
 namespace {

@@ -23,6 +23,7 @@
 #include <gp_Sphere.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves.h"
 
 namespace blossom::occt {
 namespace {

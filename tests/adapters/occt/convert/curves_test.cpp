@@ -114,7 +114,7 @@ TEST(BezierSpans, RefusesRangesAndNumbersThatAreNone) {
   EXPECT_THROW(bezier_spans(line, {std::nan(""), 1}), BadModel);
   EXPECT_THROW(bezier_spans(line, {1, 1}), BadModel);
   EXPECT_THROW(bezier_spans(line, {2, 1}), BadModel);
-  EXPECT_THROW(bezier_spans(nullptr, {0, 1}), BadModel);
+  EXPECT_THROW(bezier_spans(Handle(Geom_Curve)(), {0, 1}), BadModel);
   Random random(4);
   const auto bezier = testing::random_bezier_curve(random, 3, false);
   EXPECT_THROW(bezier_spans(bezier, {-0.5, 1}), BadModel);

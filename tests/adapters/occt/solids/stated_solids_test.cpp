@@ -15,6 +15,7 @@
 #include <gp_Ax2.hxx>
 #include <gp_Pnt.hxx>
 
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
