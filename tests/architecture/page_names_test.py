@@ -7,6 +7,7 @@
 
 A file is named by its path from the root, from the folder of the page or comment, or by its last
 name alone if some file has it. A heading is named as in: `core/curves/README.md`, "Two curves".
+And what users call has a line in a table: each header at the top of `core` and of `adapters/occt`.
 """
 import re
 import sys
@@ -18,6 +19,7 @@ FOLDER = re.compile(r"`((?:core|adapters|plugin|tests|samples)/[\w/-]*)`")
 HEADING = re.compile(r'`([\w/.-]+\.md)`, "([^"]+)"')
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 MADE = ("build/",)  # by building
+FOR_USERS = ("core", "adapters/occt")
 
 
 def comments(path, text):
@@ -86,6 +88,16 @@ def missing_links(files, path, text, known, folders):
             yield f"{path} links to {link}, which has no such heading"
 
 
+def missing_lines(files, known):
+    """Headers for users without a line in a table of their folder's page."""
+    for folder in FOR_USERS:
+        rows = [line for line in files[f"{folder}/README.md"].splitlines() if line.startswith("|")]
+        for path in sorted(known):
+            above, _, name = path.rpartition("/")
+            if above == folder and name.endswith(".h") and not any(f"`{name}`" in row for row in rows):
+                yield f"{folder}/README.md has no line for {name}, which users call"
+
+
 def faults(files, known):
     """files: texts by path; known: all paths, those without text, too."""
     last_names = {name.rpartition("/")[2] for name in known}
@@ -95,6 +107,7 @@ def faults(files, known):
             yield from missing_names(files, path, text, known, last_names, folders)
         if path.endswith(".md"):
             yield from missing_links(files, path, text, known, folders)
+    yield from missing_lines(files, known)
 
 
 def tree(root):
@@ -118,7 +131,8 @@ def self_test(files, known):
         "a folder in a page": {"core/added.md": "See `core/not_there`.\n"},
         "a link": {"core/added.md": "[here](math/not_there)\n"},
         "an anchor": {"core/added.md": "[here](README.md#not-there)\n"},
-        "a heading": {"core/added.h": '/// Source: `core/README.md`, "Not there".\n'},
+        "a heading": {"core/math/added.h": '/// Source: `core/README.md`, "Not there".\n'},
+        "a header for users": {"adapters/occt/added.h": ""},
     }
     before = set(faults(files, known))
     return [what for what, added in broken.items()
