@@ -5,9 +5,7 @@
 #include <cctype>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -16,8 +14,6 @@
 
 namespace blossom::occt {
 namespace {
-
-bool is_number(char c) { return '0' <= c && c <= '9'; }
 
 bool is_keyword(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '!';
@@ -63,18 +59,6 @@ std::vector<ComplexPart> parts_at(std::string_view text, std::size_t place) {
   return parts;
 }
 
-/// Calls `take(place)` with the place of what follows each "#12=".
-template <class Take>
-void for_each_entity(std::string_view text, const Take& take) {
-  for (std::size_t sign = text.find('='); sign != kNowhere; sign = text.find('=', sign + 1)) {
-    std::size_t before = sign;
-    while (before > 0 && is_blank(text[before - 1])) --before;
-    if (before == 0 || !is_number(text[before - 1])) continue;
-    const std::size_t place = behind_blanks(text, sign + 1);
-    if (place < text.size()) take(place);
-  }
-}
-
 void sort_parts(std::string& text, std::vector<ComplexPart> parts) {
   const auto name = [&](const ComplexPart& part) {
     return std::string_view(text).substr(part.begin, part.name);
@@ -87,48 +71,6 @@ void sort_parts(std::string& text, std::vector<ComplexPart> parts) {
   sorted.resize(end - begin, ' ');
   text.replace(begin, end - begin, sorted);
 }
-
-/// Calls `take(begin, end)` with the digits of each "#12" outside of strings and comments.
-template <class Take>
-void for_each_number(std::string_view text, const Take& take) {
-  for (std::size_t place = 0; place < text.size();) {
-    if (const std::size_t behind = behind_quoted(text, place); behind > place) {
-      place = behind;
-      continue;
-    }
-    const bool sign = text[place] == '#';
-    std::size_t end = ++place;
-    while (sign && end < text.size() && is_number(text[end])) ++end;
-    if (end > place) take(place, end);
-    place = end;
-  }
-}
-
-/// Digits without zeros before them.
-std::string_view digits_of(std::string_view text, std::size_t begin, std::size_t end) {
-  while (begin + 1 < end && text[begin] == '0') ++begin;
-  return text.substr(begin, end - begin);
-}
-
-bool is_large(std::string_view digits) {
-  static const std::string kLargest = std::to_string(std::numeric_limits<int>::max());
-  return digits.size() > kLargest.size() || (digits.size() == kLargest.size() && digits > kLargest);
-}
-
-/// Whether "#12=" is ever of a number that is too large.
-bool has_large_numbers(std::string_view text) {
-  for (std::size_t sign = text.find('='); sign != kNowhere; sign = text.find('=', sign + 1)) {
-    std::size_t end = sign;
-    while (end > 0 && is_blank(text[end - 1])) --end;
-    std::size_t begin = end;
-    while (begin > 0 && is_number(text[begin - 1])) --begin;
-    if (begin > 0 && begin < end && text[begin - 1] == '#' && is_large(digits_of(text, begin, end)))
-      return true;
-  }
-  return false;
-}
-
-// --- scopes
 
 /// The place of the last "#12=" of a text, behind which nothing but blanks stands; its end if there
 /// is none.
@@ -146,8 +88,6 @@ std::size_t behind_exports(std::string_view text, std::size_t place) {
   const std::size_t end = text.find('/', place + 1);
   return end == kNowhere ? text.size() : end + 1;
 }
-
-// --- empty lists
 
 bool crashes_when_empty(std::string_view keyword) {
   constexpr std::string_view kKeywords[] = {
@@ -204,38 +144,12 @@ void add_empty_lists(std::string_view text, std::size_t begin, std::size_t end,
   }
 }
 
-// --- entities with one number
-
-/// Whether numbers of "#12=", which may stand in strings, ever repeat.
-bool may_repeat(std::string_view text) {
-  std::vector<std::string_view> all;
-  for (std::size_t sign = text.find('='); sign != kNowhere; sign = text.find('=', sign + 1)) {
-    std::size_t end = sign;
-    while (end > 0 && is_blank(text[end - 1])) --end;
-    std::size_t begin = end;
-    while (begin > 0 && is_number(text[begin - 1])) --begin;
-    if (begin > 0 && begin < end && text[begin - 1] == '#')
-      all.push_back(digits_of(text, begin, end));
-  }
-  const auto before = [](std::string_view a, std::string_view b) {
-    return a.size() != b.size() ? a.size() < b.size() : a < b;
-  };
-  if (!std::ranges::is_sorted(all, before)) std::ranges::sort(all, before);
-  return std::ranges::adjacent_find(all) != all.end();
-}
-
-std::string without_blanks(std::string_view text) {
-  std::string shorter;
-  std::ranges::copy_if(text, std::back_inserter(shorter), [](char c) { return !is_blank(c); });
-  return shorter;
-}
-
 }  // namespace
 
 bool has_small_keywords(std::string_view text) {
   bool small = false;
-  for_each_entity(text, [&](std::size_t place) {
-    if (small) return;
+  for_each_head(text, [&](std::string_view, std::size_t place) {
+    if (small || place >= text.size()) return;
     if (text[place] == '(') place = behind_blanks(text, place + 1);
     for (; place < text.size() && is_keyword(text[place]); ++place)
       small = small || is_small(text[place]);
@@ -244,8 +158,8 @@ bool has_small_keywords(std::string_view text) {
 }
 
 void sort_complex_entities(std::string& text) {
-  for_each_entity(text, [&](std::size_t place) {
-    if (text[place] != '(') return;
+  for_each_head(text, [&](std::string_view, std::size_t place) {
+    if (place >= text.size() || text[place] != '(') return;
     if (std::vector<ComplexPart> parts = parts_at(text, place); !parts.empty())
       sort_parts(text, std::move(parts));
   });
@@ -293,43 +207,6 @@ void fill_empty_lists(std::string& text) {
   }
   filled.append(text, done);
   text = std::move(filled);
-}
-
-void drop_repeated_entities(std::string& text, ReadingReport& report) {
-  if (!may_repeat(text)) return;
-  std::unordered_map<std::string_view, std::string> first;
-  for_each_number(text, [&](std::size_t begin, std::size_t end) {
-    const std::size_t sign = behind_blanks(text, end);
-    if (sign >= text.size() || text[sign] != '=') return;
-    const std::size_t last = std::min(semicolon_from(text, sign), text.size() - 1);
-    const std::string_view number = digits_of(text, begin, end);
-    const std::string_view entity = std::string_view(text).substr(sign, last - sign);
-    const auto [known, is_new] = first.try_emplace(number, without_blanks(entity));
-    if (is_new) return;
-    if (known->second != without_blanks(entity))
-      report.add({"entity number",
-                  "several entities have it, and the first is taken",
-                  true,
-                  1,
-                  {"#" + std::string(number)}});
-    std::fill(text.begin() + static_cast<std::ptrdiff_t>(begin - 1),
-              text.begin() + static_cast<std::ptrdiff_t>(last + 1), ' ');
-  });
-}
-
-void renumber_large_entities(std::string& text) {
-  if (!has_large_numbers(text)) return;
-  std::unordered_map<std::string_view, std::size_t> numbers;
-  std::string renumbered;
-  std::size_t done = 0;
-  for_each_number(text, [&](std::size_t begin, std::size_t end) {
-    const auto [found, is_new] =
-        numbers.try_emplace(digits_of(text, begin, end), numbers.size() + 1);
-    renumbered.append(text, done, begin - done).append(std::to_string(found->second));
-    done = end;
-  });
-  renumbered.append(text, done);
-  text = std::move(renumbered);
 }
 
 }  // namespace blossom::occt

@@ -7,8 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "adapters/occt/reading.h"
-
 namespace blossom::occt {
 
 /// Whether keywords of entities have small letters: "#1=Point(...)", "#1=(named_unit(*)...)".
@@ -24,16 +22,9 @@ void sort_complex_entities(std::string& text);
 /// exports is dropped.
 void open_scopes(std::string& text);
 
-/// Puts "$" into empty lists of entities on which Open CASCADE crashes, tried with 7.6.3: directions,
-/// knots, weights, loops, curves on surfaces, tolerances. Then it says that something is missing.
+/// Puts "$" into empty lists of entities on which Open CASCADE crashes, tried with 7.6.3:
+/// directions, knots, weights, loops, curves on surfaces, tolerances. Then it says that something
+/// is missing.
 void fill_empty_lists(std::string& text);
-
-/// Makes blanks of entities with a number that one before them has. Unless they are the same, this
-/// is a loss of shape.
-void drop_repeated_entities(std::string& text, ReadingReport& report);
-
-/// Numbers entities anew, from 1 in the order in which the text has them, if a number is beyond
-/// 2^31 - 1: Open CASCADE crashes on these. Messages then have the new numbers.
-void renumber_large_entities(std::string& text);
 
 }  // namespace blossom::occt

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "adapters/occt/exchange/file_text.h"
-
 namespace blossom::occt {
 
 bool has_word(std::string_view text, std::size_t place, std::string_view word) {
@@ -47,6 +45,11 @@ std::size_t semicolon_from(std::string_view text, std::size_t place) {
     place = behind > place ? behind : place + 1;
   }
   return place < text.size() ? place : kNowhere;
+}
+
+std::string_view without_zeros(std::string_view digits) {
+  while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
+  return digits;
 }
 
 }  // namespace blossom::occt

@@ -10,6 +10,7 @@
 
 #include "adapters/occt/exchange/file_text.h"
 #include "adapters/occt/exchange/step/step_entities.h"
+#include "adapters/occt/exchange/step/step_numbers.h"
 #include "adapters/occt/exchange/step/step_scan.h"
 #include "adapters/occt/exchange/step/step_sections.h"
 
@@ -26,8 +27,6 @@ std::size_t last_place(std::string_view text, std::string_view word) {
     if (upper(text[i]) == word.front() && has_word(text, i, word)) return i;
   return kNone;
 }
-
-bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
 /// Whether a letter is the exponent's of a number, as in "1.5e-3", or looks like that in a string.
 bool is_small_exponent(std::string_view text, std::size_t place) {
