@@ -227,9 +227,12 @@ std::pair<SharedMesh, Answer> filled_mesh(const SharedMesh& mesh, const Control&
   });
 }
 
-}  // namespace
+// As pybind11 holds it.
+using Own = std::shared_ptr<NamedMesh>;
 
-void add_mesh_questions(py::module_& module) {
+Own own(const SharedMesh& mesh) { return std::const_pointer_cast<NamedMesh>(mesh); }
+
+void add_mesh_class(py::module_& module) {
   py::class_<NamedMesh, std::shared_ptr<NamedMesh>>(module, "Triangles")
       .def_property_readonly("name", [](const NamedMesh& of) { return of.name; })
       .def_property_readonly(
@@ -238,21 +241,34 @@ void add_mesh_questions(py::module_& module) {
       .def_property_readonly("triangles", &corners_array)
       .def_property_readonly("groups", &groups_of)
       .def_property_readonly("notes", [](const NamedMesh& of) { return of.mesh.notes; });
-  const auto own = [](const SharedMesh& mesh) { return std::const_pointer_cast<NamedMesh>(mesh); };
-  using Own = std::shared_ptr<NamedMesh>;
+}
+
+void add_made_meshes(py::module_& module) {
   module.def(
       "read_mesh",
-      [own](const std::string& path, const Control& control) {
-        return own(read_mesh(path, control));
-      },
+      [](const std::string& path, const Control& control) { return own(read_mesh(path, control)); },
       arg("path"), arg("control"));
   module.def(
       "mesh_of_arrays",
-      [own](const std::string& name, const MeshRows& vertices, const MeshCorners& triangles,
-            const MeshGroups& groups) {
+      [](const std::string& name, const MeshRows& vertices, const MeshCorners& triangles,
+         const MeshGroups& groups) {
         return own(mesh_of_arrays(name, vertices, triangles, groups));
       },
       arg("name"), arg("vertices"), arg("triangles"), arg("groups"));
+  module.def(
+      "fill_mesh",
+      [](const Own& mesh, const Control& control) {
+        auto [made, answer] = filled_mesh(mesh, control);
+        return py::make_tuple(own(made), std::move(answer));
+      },
+      arg("mesh"), arg("control"));
+}
+
+}  // namespace
+
+void add_mesh_questions(py::module_& module) {
+  add_mesh_class(module);
+  add_made_meshes(module);
   module.def(
       "check_mesh", [](const Own& mesh, const Control& control) { return judged(mesh, control); },
       arg("mesh"), arg("control"));
@@ -278,13 +294,6 @@ void add_mesh_questions(py::module_& module) {
         return farthest(a, std::get<SharedModel>(b), tolerance, control);
       },
       arg("a"), arg("b"), arg("tolerance"), arg("control"));
-  module.def(
-      "fill_mesh",
-      [own](const Own& mesh, const Control& control) {
-        auto [made, answer] = filled_mesh(mesh, control);
-        return py::make_tuple(own(made), std::move(answer));
-      },
-      arg("mesh"), arg("control"));
   module.def(
       "write_triangles",
       [](const Own& mesh, const std::string& path, bool text, const Control& control) {

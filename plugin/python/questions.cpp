@@ -67,7 +67,7 @@ SharedModel shape_of_answer(const Answer& answer) {
   return answer.model ? answer.model() : nullptr;
 }
 
-void add_answers(py::module_& module) {
+void add_answer_class(py::module_& module) {
   py::class_<Answer>(module, "Answer")
       .def("report", &python_report, arg("samples"))
       .def("model", &shape_of_answer)
@@ -78,21 +78,17 @@ void add_answers(py::module_& module) {
             a.draw(file, control);
           },
           arg("file"), arg("control"));
+}
+
+void add_meetings(py::module_& module) {
   module.def("intersect", &intersect, arg("a"), arg("b"), arg("control"));
   module.def("self_intersect", &self_intersect, arg("model"), arg("all_faces"), arg("control"));
   module.def("distance", &least_distance, arg("a"), arg("b"), arg("control"));
   module.def("does_intersect", &does_intersect, arg("a"), arg("b"), arg("control"));
-  module.def("check", &check, arg("model"), arg("control"));
-  module.def("info", &info, arg("model"), arg("edges"), arg("control"));
-  module.def(
-      "continuity",
-      [](const SharedModel& model, double gap, double angle, double curvature,
-         const std::string& require, const Control& control) {
-        return continuity(model, {.gap = gap, .angle = angle, .curvature = curvature}, require,
-                          control);
-      },
-      arg("model"), arg("gap"), arg("angle"), arg("curvature"), arg("require"), arg("control"));
-  module.def("watertight", &watertight, arg("model"), arg("control"));
+  module.def("clash", &clash, arg("a"), arg("b"), arg("clearance"), arg("far"), arg("control"));
+}
+
+void add_places(py::module_& module) {
   module.def(
       "section",
       [](const SharedModel& model, const Triple& point, const Triple& normal,
@@ -104,7 +100,6 @@ void add_answers(py::module_& module) {
         return sections(model, named_planes(planes), control);
       },
       arg("model"), arg("planes"), arg("control"));
-  module.def("clash", &clash, arg("a"), arg("b"), arg("clearance"), arg("far"), arg("control"));
   module.def(
       "ray",
       [](const SharedModel& model, const Triple& from, const Triple& direction, bool first,
@@ -118,7 +113,24 @@ void add_answers(py::module_& module) {
         return nearest_point(model, vec(at), all, control);
       },
       arg("model"), arg("at"), arg("all"), arg("control"));
+}
+
+void add_facts(py::module_& module) {
+  module.def("check", &check, arg("model"), arg("control"));
+  module.def("info", &info, arg("model"), arg("edges"), arg("control"));
+  module.def(
+      "continuity",
+      [](const SharedModel& model, double gap, double angle, double curvature,
+         const std::string& require, const Control& control) {
+        return continuity(model, {.gap = gap, .angle = angle, .curvature = curvature}, require,
+                          control);
+      },
+      arg("model"), arg("gap"), arg("angle"), arg("curvature"), arg("require"), arg("control"));
+  module.def("watertight", &watertight, arg("model"), arg("control"));
   module.def("mass", &mass, arg("model"), arg("control"));
+}
+
+void add_cuts(py::module_& module) {
   using Planes = std::vector<std::pair<Triple, Triple>>;
   module.def(
       "trim",
@@ -263,7 +275,11 @@ void add_forms(py::module_& module) {
 }  // namespace
 
 void add_questions(py::module_& module) {
-  add_answers(module);
+  add_answer_class(module);
+  add_meetings(module);
+  add_places(module);
+  add_facts(module);
+  add_cuts(module);
   add_strip(module);
   add_edge_blends(module);
   add_meshes(module);
