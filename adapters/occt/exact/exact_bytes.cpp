@@ -103,26 +103,25 @@ class HiddenParts {
   }
 
   void of(const Handle(Geom_Curve) & curve) {
-    if (!is_new(curve)) return;
-    if (const auto line = Handle(Geom_Line)::DownCast(curve); !line.IsNull())
-      visit_(line->Position(), [&](const gp_Ax1& place) { line->SetPosition(place); });
-    else if (const auto conic = Handle(Geom_Conic)::DownCast(curve); !conic.IsNull())
-      visit_(conic->Position(), [&](const gp_Ax2& place) { conic->SetPosition(place); });
-    else if (const auto cut = Handle(Geom_TrimmedCurve)::DownCast(curve); !cut.IsNull())
-      of(cut->BasisCurve());
-    else if (const auto offset = Handle(Geom_OffsetCurve)::DownCast(curve); !offset.IsNull())
-      of(offset->BasisCurve());
+    of_curve<Geom_Line, Geom_Conic, Geom_TrimmedCurve, Geom_OffsetCurve>(
+        curve, [](Geom_Conic& conic, const gp_Ax2& place) { conic.SetPosition(place); });
   }
 
   void of(const Handle(Geom2d_Curve) & curve) {
+    of_curve<Geom2d_Line, Geom2d_Conic, Geom2d_TrimmedCurve, Geom2d_OffsetCurve>(
+        curve, [](Geom2d_Conic& conic, const gp_Ax22d& place) { conic.SetAxis(place); });
+  }
+
+  template <class Line, class Conic, class Trimmed, class Offset, class Curve, class Place>
+  void of_curve(const Handle(Curve) & curve, const Place& place_conic) {
     if (!is_new(curve)) return;
-    if (const auto line = Handle(Geom2d_Line)::DownCast(curve); !line.IsNull())
-      visit_(line->Position(), [&](const gp_Ax2d& place) { line->SetPosition(place); });
-    else if (const auto conic = Handle(Geom2d_Conic)::DownCast(curve); !conic.IsNull())
-      visit_(conic->Position(), [&](const gp_Ax22d& place) { conic->SetAxis(place); });
-    else if (const auto cut = Handle(Geom2d_TrimmedCurve)::DownCast(curve); !cut.IsNull())
+    if (const auto line = Handle(Line)::DownCast(curve); !line.IsNull())
+      visit_(line->Position(), [&](const auto& place) { line->SetPosition(place); });
+    else if (const auto conic = Handle(Conic)::DownCast(curve); !conic.IsNull())
+      visit_(conic->Position(), [&](const auto& place) { place_conic(*conic, place); });
+    else if (const auto cut = Handle(Trimmed)::DownCast(curve); !cut.IsNull())
       of(cut->BasisCurve());
-    else if (const auto offset = Handle(Geom2d_OffsetCurve)::DownCast(curve); !offset.IsNull())
+    else if (const auto offset = Handle(Offset)::DownCast(curve); !offset.IsNull())
       of(offset->BasisCurve());
   }
 
