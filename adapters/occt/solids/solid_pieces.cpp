@@ -287,8 +287,7 @@ SplitSolid split_solid(const Side& side, const std::vector<std::vector<TopoDS_Ed
 std::vector<std::pair<std::size_t, std::size_t>> overlaps_of(const ShapeIntersection& found) {
   std::vector<std::pair<std::size_t, std::size_t>> overlaps;
   for (const FaceIntersection& pair : found.pairs)
-    if (std::any_of(pair.found.places.begin(), pair.found.places.end(),
-                    [](const Place& place) { return place.kind == PlaceKind::Overlap; }))
+    if (std::ranges::count(pair.found.places, PlaceKind::Overlap, &Place::kind) > 0)
       overlaps.emplace_back(pair.face_a, pair.face_b);
   return overlaps;
 }
@@ -339,7 +338,8 @@ bool attempt(const char* what, const WorkLimit& limit, SolidPieces& result, cons
 // Whether edges are searched for places in which they touch faces. Most solids do without.
 enum class EdgeTouches { LeftOut, Sought };
 
-void tell_loose(const CommonEdges& common, std::vector<std::string>& thin) {
+void tell_thin(const CommonEdges& common, const EdgeUnion& joined, std::vector<std::string>& thin) {
+  if (joined.lost_wires() > 0) thin.emplace_back("what lies in one vertex as a whole is left out");
   if (common.loosest() == 0) return;
   std::ostringstream text;
   text << "edges lie in faces of the other solid within their own tolerances of up to "
@@ -399,7 +399,7 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
     result.between = told.between;
   });
   for (const Side* side : {&side_a, &side_b}) tell_repeats(*side, result.thin);
-  tell_loose(common, result.thin);
+  tell_thin(common, joined, result.thin);
   if (!result.thin.empty()) result.status = weaker(result.status, Status::Tolerance);
   result.a = std::move(split_a.pieces);
   result.b = std::move(split_b.pieces);

@@ -206,7 +206,10 @@ TopoDS_Face EdgeUnion::rebuilt(const TopoDS_Face& face) {
       edges.push_back(
           TopoDS::Edge(edge.Oriented(reversed_.Contains(it.Value()) ? TopAbs::Reverse(use) : use)));
     }
-    if (edges.empty()) continue;
+    if (edges.empty()) {
+      ++lost_wires_;
+      continue;
+    }
     any = true;
     TopoDS_Wire wire;
     builder.MakeWire(wire);

@@ -46,12 +46,16 @@ class EdgeUnion {
 
   /// The face with its edges and vertices replaced; itself if none is, null if nothing is left of
   /// it. Its border stays where it was: vertices get tolerances that cover all those they stand
-  /// for. An edge whose ends became one vertex, and that lies in it as a whole, is left out.
+  /// for. An edge whose ends became one vertex, and that lies in it as a whole, is left out, and so
+  /// is a wire of such edges.
   TopoDS_Face rebuilt(const TopoDS_Face& face);
 
   /// Edges whose ends became one, and that do not lie in their vertex; the faces cannot be used
   /// then.
   int collapsed() const { return collapsed_; }
+
+  /// Wires that rebuilt faces lost: holes, and the borders of faces of which nothing is left.
+  int lost_wires() const { return lost_wires_; }
 
  private:
   std::size_t number(const TopoDS_Vertex& vertex);
@@ -66,6 +70,7 @@ class EdgeUnion {
   TopTools_DataMapOfShapeShape made_edges_;
   TopTools_MapOfShape left_out_;
   int collapsed_ = 0;
+  int lost_wires_ = 0;
 };
 
 }  // namespace blossom::occt
