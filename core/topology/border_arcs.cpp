@@ -18,10 +18,6 @@ namespace {
 constexpr int kCubic = 3;
 constexpr std::array kLooks{0.1, 0.3, 0.5, 0.7, 0.9};  // at a piece
 
-// Where on it they are found, rounding takes the ends of a curve and of the arc that goes on from
-// it apart along the border: by no more than so many times its length.
-constexpr double kMostApart = 1;
-
 Vec2 in_chart(const FaceTrims& trims, const Vec2& uv) {
   return {uv[0] * trims.scale[0], uv[1] * trims.scale[1]};
 }
@@ -97,7 +93,9 @@ struct Neighbour {
   Vec2 move_a, move_b;
 };
 
-// The nearest one at an end of the arc.
+// The nearest one at an end of the arc. Rounding takes the two ends apart along the border, where
+// on it both are found, but by no more than the arc is long: what is farther off does not go on in
+// it.
 std::optional<Neighbour> neighbour(const IntersectionCurve& arc, bool arc_last, const FaceTrims& a,
                                    const FaceTrims* b, const std::vector<IntersectionCurve>& curves,
                                    double tolerance) {
@@ -108,7 +106,7 @@ std::optional<Neighbour> neighbour(const IntersectionCurve& arc, bool arc_last, 
     for (const bool last : {false, true}) {
       const SurfacePoint& x = last ? curves[i].samples.back() : curves[i].samples.front();
       const double apart = distance(x.point, end.point);
-      if (curves[i].closed || apart > (best ? best->apart : kMostApart * arc.length) ||
+      if (curves[i].closed || apart > (best ? best->apart : arc.length) ||
           apart >= distance(x.point, opposite.point))
         continue;
       const auto move_a = chart_move(a, arc.chart_a, end.uv_a, x.uv_a, apart, tolerance);

@@ -11,10 +11,12 @@ namespace {
 
 // How far beside a contact the surfaces are looked at: of its length, and of the root of that times
 // the tolerance, within which surfaces with a radius of that length do not leave each other. Then
-// twice as far and so on, until they do: radii may be up to 256 times as long as the contact.
+// twice as far and so on, until they do. At a distance d surfaces with a relative radius R are
+// d^2 / (2 R) apart, so radii may be longer than the contact by the square of how much farther they
+// are looked at.
 constexpr double kBeside = 1e-2;
 constexpr double kLeave = 4;
-constexpr int kMostLooks = 5;
+constexpr double kMaxRadius = 256;  // of the contact's length: what is flatter is left open
 
 // Beside a tangential curve, the sides of the second face on which the first one lies.
 struct Beside {
@@ -25,14 +27,15 @@ void look_beside(const IntersectionCurve& curve, const SurfaceProjector& on_a,
                  const SurfaceProjector& on_b, double tolerance, Beside& beside) {
   const double step =
       std::max(kBeside * curve.length, kLeave * std::sqrt(tolerance * curve.length));
+  const double farthest = std::sqrt(kMaxRadius) * step;
   for (const double part : {0.2, 0.5, 0.8}) {
     const double s = at(curve.curve.domain(), part);
     const SurfaceJet frame = frame_at(on_a.surface(), point_at(curve.chart_a, s));
     const Vec3 across = cross(cross(frame.du, frame.dv), derivative_at(curve.curve, s));
     for (const double sign : {1.0, -1.0}) {
-      double height = 0, far = sign * step / norm(across);
-      for (int look = 0; look < kMostLooks && std::abs(height) <= tolerance; ++look, far *= 2) {
-        const Vec3 aside = frame.point + far * across;
+      double height = 0;
+      for (double far = step; far <= farthest && std::abs(height) <= tolerance; far *= 2) {
+        const Vec3 aside = frame.point + sign * far / norm(across) * across;
         height = on_b.height(frame_at(on_a.surface(), on_a.foot(aside, {})).point);
       }
       (std::abs(height) <= tolerance ? beside.open

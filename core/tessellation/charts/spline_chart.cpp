@@ -17,11 +17,13 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostParts = 8;           // of a span, where it has few facets
-constexpr int kMostFineParts = 1000;    // of a span
-constexpr double kMuchChange = 0.3;     // of the size of second derivatives, within a cell
-constexpr double kMuchTurn = 0.3;       // likewise of first ones
-constexpr double kLittleChange = 0.05;  // of second ones: what cells add to bounds of their facets
+constexpr int kMostParts = 8;         // of a span, where it has few facets
+constexpr int kMostFineParts = 1000;  // of a span
+constexpr double kMuchChange = 0.3;   // of the size of second derivatives, within a cell
+constexpr double kMuchTurn = 0.3;     // likewise of first ones
+// Of the size of second derivatives: what cells may add to the bounds of the facets in them. A
+// choice: as many facets go along a direction as the root of the bound, so these are 2.5 % more.
+constexpr double kBoundSlack = 0.05;
 constexpr double kFacetsInCell = 4;     // along a direction: cells are not made smaller for that
 constexpr int kMostPatches = 6;         // of which the parts under a facet are asked
 constexpr double kLeastPart = 0x1p-30;  // of a span: facets are not narrower
@@ -81,8 +83,8 @@ Parts wanted_parts(const CellJet& whole, double h_u, double h_v, double fine) {
   const auto finer = [&](double bend) {
     const double facets = std::sqrt(bend / (8 * fine));
     return limited(
-        std::min(change / (kLittleChange * std::max(size, kNotZero)), facets / kFacetsInCell),
-        least, kMostFineParts);
+        std::min(change / (kBoundSlack * std::max(size, kNotZero)), facets / kFacetsInCell), least,
+        kMostFineParts);
   };
   const double twist = h_u * h_v * jet.uv.size();
   return {finer(h_u * h_u * jet.uu.size() + twist), finer(h_v * h_v * jet.vv.size() + twist)};
