@@ -29,7 +29,8 @@ namespace {
 
 constexpr double kMeetingMargin = 1.1;  // of how far from a vertex wires are seen to meet
 
-// No vertex needs less than the confusion, so none of these can be far too wide.
+// Those that would be far too wide if they needed no more than Open CASCADE's confusion. No vertex
+// needs less, so others are not far too wide whatever they need, which takes long to measure.
 std::vector<TopoDS_Vertex> wide_vertices(const std::vector<TopoDS_Solid>& solids) {
   TopTools_IndexedMapOfShape all;
   for (const TopoDS_Solid& solid : solids) TopExp::MapShapes(solid, TopAbs_VERTEX, all);
