@@ -13,7 +13,7 @@
 
 #include "core/forms/conic.h"
 #include "core/forms/spline.h"
-#include "core/topology/border_arcs.h"
+#include "core/topology/arcs_past_border.h"
 #include "core/topology/curve_clip.h"
 
 namespace blossom {

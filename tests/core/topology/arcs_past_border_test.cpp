@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/topology/border_arcs.h"
+#include "core/topology/arcs_past_border.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ SurfaceIntersection touching(double past, double rounding) {
   return found;
 }
 
-TEST(BorderArcs, OfACurveThatTouchesASeamBelongToItsNeighbours) {
+TEST(ArcsPastBorder, OfACurveThatTouchesASeamBelongToItsNeighbours) {
   const FaceTrims trims = tube();
   for (const double past : {1e-12, 1e-10, 5e-8})
     for (const double rounding : {0.0, 0.2}) {
@@ -80,14 +80,14 @@ TEST(BorderArcs, OfACurveThatTouchesASeamBelongToItsNeighbours) {
     }
 }
 
-TEST(BorderArcs, WithoutANeighbourAreTouches) {
+TEST(ArcsPastBorder, WithoutANeighbourAreTouches) {
   SurfaceIntersection found;
   found.curves = {part(1e-10, {1.5 - 3e-5, 1.5 + 3e-5}, true)};
   EXPECT_EQ(clip(found, tube(), nullptr).size(), 1u);
   EXPECT_TRUE(found.curves.empty());
 }
 
-TEST(BorderArcs, AreNoneThatLeaveTheSeamByMoreThanTouchesDo) {
+TEST(ArcsPastBorder, AreNoneThatLeaveTheSeamByMoreThanTouchesDo) {
   SurfaceIntersection found = touching(1e-4, 0);
   EXPECT_TRUE(clip(found, tube(), nullptr).empty());
   EXPECT_EQ(found.curves.size(), 3u);

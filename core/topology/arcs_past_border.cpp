@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/topology/border_arcs.h"
+#include "core/topology/arcs_past_border.h"
 
 #include <algorithm>
 #include <array>
