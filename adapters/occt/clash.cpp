@@ -16,7 +16,7 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/intersection.h"
-#include "adapters/occt/queries/reach.h"
+#include "adapters/occt/queries/depth.h"
 #include "adapters/occt/solid_trim.h"
 
 namespace blossom::occt {
@@ -273,13 +273,16 @@ class ClashSearch {
     common.solids = made.solids;
     std::vector<TopoDS_Face> of_a, of_b;
     for (const SolidFace& face : made.faces) (face.tool < 0 ? of_a : of_b).push_back(face.face);
-    deepen(reach_of(of_a, bodies(pair.b).boundary(), tolerance_, common.lower, stop()), common);
-    deepen(reach_of(of_b, bodies(pair.a).boundary(), tolerance_, common.lower, stop()), common);
+    deepen(depth_of(of_a, bodies(pair.b).boundary(), tolerance_, common.lower, stop()), common);
+    deepen(depth_of(of_b, bodies(pair.a).boundary(), tolerance_, common.lower, stop()), common);
   } catch (const BadModel& error) {
-    pair.obstacles.emplace_back(error.what());
-    pair.status = weaker(pair.status, Status::Tolerance);
+    leave_open(error.what(), pair);
   } catch (const Failure& error) {
-    pair.obstacles.emplace_back(error.what());
+    leave_open(error.what(), pair);
+  }
+
+  static void leave_open(const char* cause, Clash& pair) {
+    pair.obstacles.emplace_back(cause);
     pair.status = weaker(pair.status, Status::Tolerance);
   }
 
@@ -287,10 +290,10 @@ class ClashSearch {
     return [this] { return limit_.is_reached(); };
   }
 
-  static void deepen(const Reach& reach, CommonBody& common) {
-    if (reach.lower > common.lower) common.deepest = reach.deepest;
-    common.lower = std::max(common.lower, reach.lower);
-    common.upper = std::max(common.upper, reach.upper);
+  static void deepen(const Depth& found, CommonBody& common) {
+    if (found.lower > common.lower) common.deepest = found.deepest;
+    common.lower = std::max(common.lower, found.lower);
+    common.upper = std::max(common.upper, found.upper);
   }
 
   // The inner one as a whole.
@@ -301,7 +304,7 @@ class ClashSearch {
     CommonBody& common = pair.common.emplace();
     common.volume = volume_of_solid(parts_[inner]);
     common.solids = {TopoDS::Solid(parts_[inner])};
-    deepen(reach_of(faces_of_part(parts_[inner]), bodies(outer).boundary(), tolerance_,
+    deepen(depth_of(faces_of_part(parts_[inner]), bodies(outer).boundary(), tolerance_,
                     common.lower, stop()),
            common);
   }

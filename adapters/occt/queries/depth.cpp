@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/queries/reach.h"
+#include "adapters/occt/queries/depth.h"
 
 #include <algorithm>
 #include <deque>
@@ -27,7 +27,7 @@ constexpr double kNotKnown = std::numeric_limits<double>::infinity();
 constexpr double kAddedPart = 0.1;
 constexpr long kProofPairs = 1000;  // of cells; halving the cell is cheaper than more of them
 
-struct ReachPiece {
+struct DepthPiece {
   TopoDS_Face face;
   BezierSurface surface;
   FaceTrims trims;
@@ -35,13 +35,13 @@ struct ReachPiece {
 };
 
 // A rectangle of a patch, in its local parameters.
-struct ReachCell {
-  ReachPiece* piece = nullptr;
+struct DepthCell {
+  DepthPiece* piece = nullptr;
   int i = 0, j = 0;
   Interval u{0, 1}, v{0, 1};
   double upper = 0;  // no point of it lies deeper, model units
 
-  bool operator<(const ReachCell& other) const { return upper < other.upper; }
+  bool operator<(const DepthCell& other) const { return upper < other.upper; }
 };
 
 Interval own_range(ParameterLaw law, const std::vector<double>& knots, int span,
@@ -58,7 +58,7 @@ struct CellNet {
   double radius = 0;  // of the ball round it that holds the cell
   double width_u = 0, width_v = 0;
 
-  explicit CellNet(const ReachCell& cell)
+  explicit CellNet(const DepthCell& cell)
       : patch(sub_patch(cell.piece->surface.patches(cell.i, cell.j), cell.u, cell.v)) {
     const RationalBezierPatch point = sub_patch(patch, {0.5, 0.5}, {0.5, 0.5});
     middle = projected(point.points(0, 0));
@@ -84,10 +84,10 @@ struct CellNet {
   }
 };
 
-class Reaching {
+class DepthSearch {
  public:
-  Reaching(const std::vector<TopoDS_Face>& faces, const MeasuredShape& boundary, double tolerance,
-           double known)
+  DepthSearch(const std::vector<TopoDS_Face>& faces, const MeasuredShape& boundary,
+              double tolerance, double known)
       : boundary_(boundary),
         rays_(boundary.faces(), tolerance),
         tolerance_(tolerance),
@@ -102,12 +102,12 @@ class Reaching {
     }
   }
 
-  Reach found(const std::function<bool()>& stop) {
-    for (ReachPiece& piece : pieces_)
+  Depth found(const std::function<bool()>& stop) {
+    for (DepthPiece& piece : pieces_)
       for (int i = 0; i < piece.surface.patches.rows(); ++i)
         for (int j = 0; j < piece.surface.patches.columns(); ++j) enter({&piece, i, j});
-    for (int count = 0; !cells_.empty() && count < kReachCells && !(stop && stop()); count += 2) {
-      const ReachCell cell = cells_.top();
+    for (int count = 0; !cells_.empty() && count < kDepthCells && !(stop && stop()); count += 2) {
+      const DepthCell cell = cells_.top();
       if (cell.upper <= goal()) break;
       cells_.pop();
       const double upper = upper_of(*cell.piece);
@@ -121,11 +121,11 @@ class Reaching {
   }
 
  private:
-  double goal() const { return best_ * (1 + kReachAccuracy) + tolerance_; }
+  double goal() const { return best_ * (1 + kDepthAccuracy) + tolerance_; }
 
-  void halve(const ReachCell& cell) {
+  void halve(const DepthCell& cell) {
     const CellNet net(cell);
-    ReachCell first = cell, second = cell;
+    DepthCell first = cell, second = cell;
     const bool along_u = net.width_u >= net.width_v;
     const Interval& of = along_u ? cell.u : cell.v;
     const double middle = 0.5 * (of.from + of.to);
@@ -135,19 +135,19 @@ class Reaching {
     enter(second);
   }
 
-  PartSide side(const ReachCell& cell, const Interval& u, const Interval& v) const {
+  PartSide side(const DepthCell& cell, const Interval& u, const Interval& v) const {
     const BezierSurface& surface = cell.piece->surface;
     return part_side(cell.piece->trims, own_range(surface.u_law, surface.u_knots, cell.i, u),
                      own_range(surface.v_law, surface.v_knots, cell.j, v));
   }
 
   // Takes a cell among those that may hold the deepest point, unless it does not.
-  void enter(ReachCell cell) {
+  void enter(DepthCell cell) {
     const PartSide place = side(cell, cell.u, cell.v);
     if (place == PartSide::Outside) return;
     const CellNet net(cell);
     const ShapeDistance near =
-        nearest_point(boundary_, net.middle, {.resolution = 0.1 * kReachAccuracy * best_});
+        nearest_point(boundary_, net.middle, {.resolution = 0.1 * kDepthAccuracy * best_});
     const double u = 0.5 * (cell.u.from + cell.u.to), v = 0.5 * (cell.v.from + cell.v.to);
     if (near.lower > best_ && side(cell, {u, u}, {v, v}) != PartSide::Outside) {
       best_ = near.lower;
@@ -164,7 +164,7 @@ class Reaching {
   }
 
   // Of a piece in a plane, from one of the faces next to a point of it.
-  double upper_of(ReachPiece& piece) {
+  double upper_of(DepthPiece& piece) {
     if (piece.upper) return *piece.upper;
     double& least = piece.upper.emplace(kNotKnown);
     const std::optional<gp_Pnt> point = point_inside(piece.face);
@@ -182,7 +182,7 @@ class Reaching {
     return feet_.try_emplace(face, boundary_faces_[face]).first->second;
   }
 
-  double within() const { return std::max(tolerance_, 0.1 * kReachAccuracy * best_); }
+  double within() const { return std::max(tolerance_, 0.1 * kDepthAccuracy * best_); }
 
   // The largest distance of the cell from one of the faces that have the middle's nearest point;
   // infinite if no bound is known.
@@ -201,7 +201,7 @@ class Reaching {
     const Vec3 way = near.b.point - net.middle;
     const double length = norm(way);
     if (!(length > tolerance_)) return kNotKnown;
-    const double s = std::max(goal(), length * (1 + 0.5 * kReachAccuracy));
+    const double s = std::max(goal(), length * (1 + 0.5 * kDepthAccuracy));
     if (s >= near.upper + net.radius) return kNotKnown;
     const Vec3 by = way * (s / length);
     const std::optional<bool> inside = rays_.is_inside(net.middle + by);
@@ -216,23 +216,23 @@ class Reaching {
   const MeasuredShape& boundary_;
   SolidRays rays_;
   double tolerance_;
-  std::vector<ReachPiece> pieces_{};
+  std::vector<DepthPiece> pieces_{};
   std::vector<TopoDS_Face> boundary_faces_{};
   std::deque<TopTools_IndexedMapOfShape> parts_{};  // of each of these
   std::map<std::size_t, FeetOnFace> feet_{};        // likewise, once asked for
   double error_ = 0;                                // of approximated pieces
-  std::priority_queue<ReachCell> cells_{};
+  std::priority_queue<DepthCell> cells_{};
   double best_, done_ = 0;
   Vec3 deepest_;
 };
 
 }  // namespace
 
-Reach reach_of(const std::vector<TopoDS_Face>& pieces, const MeasuredShape& boundary,
+Depth depth_of(const std::vector<TopoDS_Face>& pieces, const MeasuredShape& boundary,
                double tolerance, double known, const std::function<bool()>& stop) {
   return guarded("measuring how deep a body lies in another one", [&] {
-    Reaching reaching(pieces, boundary, tolerance, known);
-    return reaching.found(stop);
+    DepthSearch search(pieces, boundary, tolerance, known);
+    return search.found(stop);
   });
 }
 

@@ -12,8 +12,8 @@
 
 namespace blossom::occt {
 
-/// Between bounds, model units.
-struct Reach {
+/// The depth of a penetration between bounds, model units.
+struct Depth {
   double lower = 0;  ///< taken at `deepest`
   double upper = 0;  ///< proven
   Vec3 deepest;
@@ -22,7 +22,7 @@ struct Reach {
 /// The largest distance of a point of the pieces from the boundary of the body that they lie in.
 ///
 /// Cells of the pieces are halved, those first that may lie deepest, until the bounds agree to a
-/// hundredth or kReachCells cells were looked at. No point of a cell is deeper than its middle by
+/// hundredth or kDepthCells cells were looked at. No point of a cell is deeper than its middle by
 /// more than the cell's radius; nor farther from the boundary than from a face that all its feet
 /// lie on, which may hold of a whole piece in a plane; nor than s, if the cell moved by s lies
 /// outside of the body, since every point crosses the boundary on that way.
@@ -33,10 +33,10 @@ struct Reach {
 /// known      the least that is of interest, model units; nothing below is looked for
 /// stop       asked often; true leaves the bounds as they are by then
 /// throws     BadModel if a piece cannot be converted
-Reach reach_of(const std::vector<TopoDS_Face>& pieces, const MeasuredShape& boundary,
+Depth depth_of(const std::vector<TopoDS_Face>& pieces, const MeasuredShape& boundary,
                double tolerance, double known = 0, const std::function<bool()>& stop = {});
 
-inline constexpr int kReachCells = 20'000;
-inline constexpr double kReachAccuracy = 0.01;  ///< relative
+inline constexpr int kDepthCells = 20'000;
+inline constexpr double kDepthAccuracy = 0.01;  ///< relative
 
 }  // namespace blossom::occt
