@@ -11,8 +11,6 @@
 #include <BRep_Tool.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
@@ -134,17 +132,11 @@ bool is_reversed(const std::optional<Interval>& wanted) {
   return wanted && wanted->from > wanted->to;
 }
 
-Handle(Geom_Surface) untrimmed(Handle(Geom_Surface) surface) {
-  while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
-    surface = trimmed->BasisSurface();
-  return surface;
-}
-
 std::array<SourceDirection, 2> directions_of(const TopoDS_Face& face, const BezierSurface& form) {
   const RationalBezierPatch& first = form.patches(0, 0);
   std::array<SourceDirection, 2> made{SourceDirection{form.u_knots, form.u_law, first.degree_u()},
                                       SourceDirection{form.v_knots, form.v_law, first.degree_v()}};
-  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face));
+  const Handle(Geom_Surface) surface = occt::basis_of(BRep_Tool::Surface(face));
   if (!Handle(Geom_BezierSurface)::DownCast(surface).IsNull())
     made[0].is_bezier = made[1].is_bezier = true;
   const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
@@ -204,9 +196,7 @@ SourceDirection direction_of(const Handle(Geom_Curve) & given, const CurveSpans&
   made.knots.push_back(form.spans.back().place.to);
   made.law = form.spans.front().law;
   made.degree = form.spans.front().curve.degree();
-  Handle(Geom_Curve) curve = given;
-  while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
-    curve = trimmed->BasisCurve();
+  const Handle(Geom_Curve) curve = occt::basis_of(given);
   made.is_bezier = !Handle(Geom_BezierCurve)::DownCast(curve).IsNull();
   const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve);
   if (spline.IsNull()) return made;

@@ -19,7 +19,7 @@
 #include <gp_Vec2d.hxx>
 
 #include "adapters/occt/base/points.h"
-#include "adapters/occt/convert/surfaces_detail.h"
+#include "adapters/occt/convert/surfaces.h"
 
 namespace blossom::occt {
 namespace {

@@ -10,11 +10,9 @@
 #include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom2d_Line.hxx>
-#include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomLib.hxx>
 #include <Geom_Plane.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 
 #include "adapters/occt/base/errors.h"
@@ -59,17 +57,11 @@ EdgeSide side_at(const Chart& chart, double x) {
           chart.left};
 }
 
-Handle(Geom_Surface) untrimmed_surface(Handle(Geom_Surface) surface) {
-  while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
-    surface = trimmed->BasisSurface();
-  return surface;
-}
-
 Chart chart_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   Chart chart;
   chart.curve = chart_curve_of(edge, face, chart.place);
   if (chart.curve.IsNull()) throw BadModel("an edge has no curve in the parameters of a face");
-  chart.surface = untrimmed_surface(BRep_Tool::Surface(face));
+  chart.surface = basis_of(BRep_Tool::Surface(face));
   if (chart.surface.IsNull()) throw BadModel("a face has no surface");
   if (!std::isfinite(length(chart.place)) || !(length(chart.place) > 0))
     throw BadModel("the range of an edge is empty or not finite");
@@ -163,9 +155,7 @@ bool is_proportional(const Geom2d_BSplineCurve& spline, const Interval& place,
 }
 
 std::optional<Segment> segment_of(const Chart& chart) {
-  Handle(Geom2d_Curve) curve = chart.curve;
-  while (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve))
-    curve = trimmed->BasisCurve();
+  const Handle(Geom2d_Curve) curve = basis_of(chart.curve);
   const Segment segment{chart.uv(0), chart.uv(1)};
   if (!Handle(Geom2d_Line)::DownCast(curve).IsNull()) return segment;
   if (const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(curve))

@@ -9,12 +9,12 @@
 
 #include <BRep_Tool.hxx>
 #include <Geom_Plane.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
 #include <TopExp.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/edge_borders.h"
 #include "adapters/occt/blending/side_sampler.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "core/blending/strips/strip.h"
 #include "core/forms/algebra/interpolation.h"
 
@@ -58,10 +58,7 @@ void join_spans(Border& border) {
 }
 
 bool is_plane(const TopoDS_Face& face) {
-  Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
-    surface = trimmed->BasisSurface();
-  return !Handle(Geom_Plane)::DownCast(surface).IsNull();
+  return !Handle(Geom_Plane)::DownCast(basis_of(BRep_Tool::Surface(face))).IsNull();
 }
 
 /// A plane continues straight: derivatives beyond the first are 0.

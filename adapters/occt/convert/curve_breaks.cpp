@@ -6,7 +6,6 @@
 
 #include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2d_BSplineCurve.hxx>
-#include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -15,16 +14,6 @@
 
 namespace blossom::occt {
 namespace {
-
-Handle(Geom_Curve) untrimmed(const Handle(Geom_Curve) & curve) { return basis_of(curve); }
-
-Handle(Geom2d_Curve) untrimmed(Handle(Geom2d_Curve) curve) {
-  for (;;) {
-    const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve);
-    if (trimmed.IsNull()) return curve;
-    curve = trimmed->BasisCurve();
-  }
-}
 
 void add_inside(double value, const Interval& range, std::vector<double>& breaks) {
   if (value > range.from && value < range.to) breaks.push_back(value);
@@ -56,7 +45,7 @@ void add_intervals(const Adaptor& curve, const Interval& range, std::vector<doub
 template <class Spline, class Adaptor, class Curve>
 std::vector<double> breaks(const Curve& curve, const Interval& range) {
   std::vector<double> found;
-  if (const auto spline = Spline::DownCast(untrimmed(curve)); !spline.IsNull())
+  if (const auto spline = Spline::DownCast(basis_of(curve)); !spline.IsNull())
     add_knots(*spline, range, found);
   else
     add_intervals(Adaptor(curve, range.from, range.to), range, found);

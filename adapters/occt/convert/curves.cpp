@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Ellipse.hxx>
 #include <Geom_Hyperbola.hxx>
@@ -92,8 +93,13 @@ Handle(Geom_Curve) to_occt(const Conic& conic) {
 }
 
 Handle(Geom_Curve) basis_of(Handle(Geom_Curve) curve) {
-  for (auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve); !trimmed.IsNull();
-       trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
+  while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
+    curve = trimmed->BasisCurve();
+  return curve;
+}
+
+Handle(Geom2d_Curve) basis_of(Handle(Geom2d_Curve) curve) {
+  while (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve))
     curve = trimmed->BasisCurve();
   return curve;
 }

@@ -58,5 +58,6 @@ Handle(Geom_Curve) to_occt(const Conic& conic);
 
 /// The curve without trims; they do not change its parameter.
 Handle(Geom_Curve) basis_of(Handle(Geom_Curve) curve);
+Handle(Geom2d_Curve) basis_of(Handle(Geom2d_Curve) curve);
 
 }  // namespace blossom::occt

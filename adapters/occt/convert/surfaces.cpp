@@ -93,8 +93,7 @@ void check_knots(const Geom_BSplineSurface& surface) {
 }  // namespace
 
 Handle(Geom_Surface) basis_of(Handle(Geom_Surface) surface) {
-  for (auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface); !trimmed.IsNull();
-       trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
+  while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
     surface = trimmed->BasisSurface();
   return surface;
 }

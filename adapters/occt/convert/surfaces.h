@@ -64,6 +64,9 @@ ParameterBox parameter_box(const TopoDS_Face& face);
 /// The same where the box of the wires' parametric curves, in the surface's parameters, is known.
 ParameterBox parameter_box(const TopoDS_Face& face, const ParameterBox& of_wires);
 
+/// The surface under all rectangular trims; they do not change its parameters.
+Handle(Geom_Surface) basis_of(Handle(Geom_Surface) surface);
+
 /// The surface as one B-spline surface (knots of the grid, full inner multiplicity).
 /// Laws of angles are lost: the parameters between knots are then those of the rational form.
 Handle(Geom_BSplineSurface) to_occt(const BezierSurface& surface);

@@ -10,9 +10,6 @@
 
 namespace blossom::occt {
 
-/// The surface under all rectangular trims; they do not change its parameters.
-Handle(Geom_Surface) basis_of(Handle(Geom_Surface) surface);
-
 /// Natural bounds of a surface; without end in periodic directions.
 ParameterBox natural_bounds(const Geom_Surface& surface);
 

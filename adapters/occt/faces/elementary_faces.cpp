@@ -21,7 +21,7 @@
 #include <gp_Torus.hxx>
 
 #include "adapters/occt/base/points.h"
-#include "adapters/occt/convert/surfaces_detail.h"
+#include "adapters/occt/convert/surfaces.h"
 
 namespace blossom::occt {
 namespace {

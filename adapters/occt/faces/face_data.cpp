@@ -19,7 +19,6 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/surfaces.h"
-#include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/faces/elementary_faces.h"
 
 namespace blossom::occt {

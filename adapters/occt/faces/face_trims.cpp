@@ -21,7 +21,7 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/convert/pcurves.h"
-#include "adapters/occt/convert/surfaces_detail.h"
+#include "adapters/occt/convert/surfaces.h"
 
 namespace blossom::occt {
 namespace {

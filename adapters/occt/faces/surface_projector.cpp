@@ -15,7 +15,7 @@
 #include <Standard_Failure.hxx>
 
 #include "adapters/occt/base/points.h"
-#include "adapters/occt/convert/surfaces_detail.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {

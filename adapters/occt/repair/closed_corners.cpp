@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/repair/closed_corners.h"
+#include "adapters/occt/convert/curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,9 +39,8 @@ Handle(BRep_Curve3D) curve_of(const TopoDS_Edge& edge) {
   return {};
 }
 
-bool can_be_bent(Handle(Geom_Curve) curve) {
-  while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
-    curve = trimmed->BasisCurve();
+bool can_be_bent(const Handle(Geom_Curve) & given) {
+  const Handle(Geom_Curve) curve = basis_of(given);
   return curve->IsKind(STANDARD_TYPE(Geom_BezierCurve)) ||
          curve->IsKind(STANDARD_TYPE(Geom_BSplineCurve));
 }

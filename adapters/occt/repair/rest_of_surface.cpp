@@ -16,7 +16,6 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
@@ -25,6 +24,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/area.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
@@ -142,9 +142,8 @@ class ClosedSurface {
     surface_ = BRep_Tool::Surface(face, place);
     surface_->Bounds(directions_[0].range.from, directions_[0].range.to, directions_[1].range.from,
                      directions_[1].range.to);
-    while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface_))
-      surface_ = trimmed->BasisSurface();
-    surface_ = Handle(Geom_Surface)::DownCast(surface_->Transformed(place.Transformation()));
+    surface_ =
+        Handle(Geom_Surface)::DownCast(basis_of(surface_)->Transformed(place.Transformation()));
     for (int k = 0; k < 2; ++k) find_closing(k);
   }
 

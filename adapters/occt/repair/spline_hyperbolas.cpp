@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/repair/spline_hyperbolas.h"
+#include "adapters/occt/convert/curves.h"
 
 #include <BRep_ListIteratorOfListOfCurveRepresentation.hxx>
 #include <BRep_TEdge.hxx>
@@ -18,10 +19,8 @@ constexpr double kHyperbolaWithin = 1e-9;  // model units
 constexpr int kMaxSpans = 100;
 constexpr int kMaxSplineDegree = 9;
 
-bool is_hyperbola(Handle(Geom_Curve) curve) {
-  while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
-    curve = trimmed->BasisCurve();
-  return curve->IsKind(STANDARD_TYPE(Geom_Hyperbola));
+bool is_hyperbola(const Handle(Geom_Curve) & curve) {
+  return basis_of(curve)->IsKind(STANDARD_TYPE(Geom_Hyperbola));
 }
 
 // Null if there is none.

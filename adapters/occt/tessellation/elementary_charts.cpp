@@ -9,7 +9,7 @@
 #include <Geom_ToroidalSurface.hxx>
 
 #include "adapters/occt/base/points.h"
-#include "adapters/occt/convert/surfaces_detail.h"
+#include "adapters/occt/convert/surfaces.h"
 
 namespace blossom::occt {
 

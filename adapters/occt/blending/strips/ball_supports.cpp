@@ -11,7 +11,6 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/convert/surfaces.h"
-#include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "core/subdivision/extended_surface.h"
 

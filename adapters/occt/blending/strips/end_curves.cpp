@@ -25,7 +25,6 @@
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/convert/surfaces.h"
-#include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "core/curve_surface_intersection.h"
