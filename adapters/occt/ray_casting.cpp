@@ -19,15 +19,13 @@
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection_edges.h"
-#include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
+#include "core/rays/ray_batches.h"
 #include "core/topology/chart_region.h"
 
 namespace blossom::occt {
 namespace {
 
-// Rays that a thread takes at a time.
-constexpr std::size_t kBatch = 256;
 // A hit beside an edge lies in its neighbour within this many times the edge's tolerance.
 constexpr double kBesideEdge = 4;
 
@@ -303,33 +301,14 @@ std::vector<ShapeHit> ShapeRays::first_hits(const Ray& ray) const {
   return {hits.begin(), hits.end()};
 }
 
-namespace {
-
-template <class Ask>
-std::vector<std::vector<ShapeHit>> for_all(const ShapeRays& shape, std::span<const Ray> rays,
-                                           Ask ask) {
-  std::vector<std::vector<ShapeHit>> results(rays.size());
-  parallel_for((rays.size() + kBatch - 1) / kBatch, 1, [&](std::size_t batch) {
-    ShapeRayQuery query(shape);
-    const std::size_t end = std::min(rays.size(), (batch + 1) * kBatch);
-    for (std::size_t i = batch * kBatch; i < end; ++i) {
-      const std::span<const ShapeHit> hits = ask(query, rays[i]);
-      results[i].assign(hits.begin(), hits.end());
-    }
-  });
-  return results;
-}
-
-}  // namespace
-
 std::vector<std::vector<ShapeHit>> ShapeRays::all_hits(std::span<const Ray> rays) const {
-  return for_all(*this, rays,
-                 [](ShapeRayQuery& query, const Ray& ray) { return query.all_hits(ray); });
+  return for_all_rays<ShapeRayQuery>(
+      *this, rays, [](ShapeRayQuery& query, const Ray& ray) { return query.all_hits(ray); });
 }
 
 std::vector<std::vector<ShapeHit>> ShapeRays::first_hits(std::span<const Ray> rays) const {
-  return for_all(*this, rays,
-                 [](ShapeRayQuery& query, const Ray& ray) { return query.first_hits(ray); });
+  return for_all_rays<ShapeRayQuery>(
+      *this, rays, [](ShapeRayQuery& query, const Ray& ray) { return query.first_hits(ray); });
 }
 
 }  // namespace blossom::occt

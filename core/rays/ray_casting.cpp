@@ -7,15 +7,13 @@
 #include <utility>
 
 #include "core/base/errors.h"
-#include "core/base/parallel.h"
+#include "core/rays/ray_batches.h"
 
 namespace blossom {
 namespace {
 
 // Parameters of one root that two cells of a patch find differ by rounding only.
 constexpr double kSameRoot = 1e-8;
-// Rays that a thread takes at a time: some hundred microseconds of work.
-constexpr std::size_t kBatch = 256;
 
 bool is_finite(const Vec3& v) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
@@ -70,22 +68,6 @@ void join(RayHit& into, const RayHit& hit) {
   into.mark = mark;
 }
 
-template <class Ask>
-std::vector<std::vector<RayHit>> for_all(const RayCaster& caster, std::span<const Ray> rays,
-                                         Ask ask) {
-  for (const Ray& ray : rays) validate(ray);
-  std::vector<std::vector<RayHit>> results(rays.size());
-  parallel_for((rays.size() + kBatch - 1) / kBatch, 1, [&](std::size_t batch) {
-    RayQuery query(caster);
-    const std::size_t last = std::min(rays.size(), (batch + 1) * kBatch);
-    for (std::size_t i = batch * kBatch; i < last; ++i) {
-      const std::span<const RayHit> hits = ask(query, rays[i]);
-      results[i].assign(hits.begin(), hits.end());
-    }
-  });
-  return results;
-}
-
 }  // namespace
 
 void join_hits(std::vector<RayHit>& hits, double speed, double tolerance) {
@@ -127,12 +109,15 @@ std::vector<RayHit> RayCaster::first_hits(const Ray& ray) const {
 }
 
 std::vector<std::vector<RayHit>> RayCaster::all_hits(std::span<const Ray> rays) const {
-  return for_all(*this, rays, [](RayQuery& query, const Ray& ray) { return query.all_hits(ray); });
+  for (const Ray& ray : rays) validate(ray);
+  return for_all_rays<RayQuery>(
+      *this, rays, [](RayQuery& query, const Ray& ray) { return query.all_hits(ray); });
 }
 
 std::vector<std::vector<RayHit>> RayCaster::first_hits(std::span<const Ray> rays) const {
-  return for_all(*this, rays,
-                 [](RayQuery& query, const Ray& ray) { return query.first_hits(ray); });
+  for (const Ray& ray : rays) validate(ray);
+  return for_all_rays<RayQuery>(
+      *this, rays, [](RayQuery& query, const Ray& ray) { return query.first_hits(ray); });
 }
 
 RayQuery::RayQuery(const RayCaster& caster)
