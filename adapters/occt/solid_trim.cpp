@@ -34,8 +34,8 @@ namespace {
 
 constexpr double kCornerMargin = 1.1;  // of the gap between edges that are one
 
-// What is told of a step on the way.
-void note(const SolidTrimResult& step, SolidTrimResult& result) {
+// All of a step but its solids and faces.
+void add_facts(const SolidTrimResult& step, SolidTrimResult& result) {
   result.status = weaker(result.status, step.status);
   add(result.certificate, step.certificate);
   result.volumes.insert(result.volumes.end(), step.volumes.begin(), step.volumes.end());
@@ -43,14 +43,14 @@ void note(const SolidTrimResult& step, SolidTrimResult& result) {
   result.thin.insert(result.thin.end(), step.thin.begin(), step.thin.end());
 }
 
-// Solids that nothing was done to.
-void give_out(const LabelledSolid& stage, SolidTrimResult& result) {
-  const std::vector<TopoDS_Solid>& solids = stage.solid.solids;
+// Of solids that nothing was done to, or of a step: the solids with their faces.
+void append(const LabelledSolid& unchanged, SolidTrimResult& result) {
+  const std::vector<TopoDS_Solid>& solids = unchanged.solid.solids;
   result.solids.insert(result.solids.end(), solids.begin(), solids.end());
-  result.faces.insert(result.faces.end(), stage.faces.begin(), stage.faces.end());
+  result.faces.insert(result.faces.end(), unchanged.faces.begin(), unchanged.faces.end());
 }
 
-void give_out(const SolidTrimResult& made, SolidTrimResult& result) {
+void append(const SolidTrimResult& made, SolidTrimResult& result) {
   result.solids.insert(result.solids.end(), made.solids.begin(), made.solids.end());
   result.faces.insert(result.faces.end(), made.faces.begin(), made.faces.end());
 }
@@ -63,7 +63,7 @@ struct LayerWork {
   SolidTrimResult told;       // no solids
 
   bool is_refused() const { return !told.obstacles.empty(); }
-  /// Two stages; faces come from where those of the two do.
+  /// Of two solids; the faces of the result come from where those of the two do.
   SolidTrimResult step(const LabelledSolid& first, const LabelledSolid& second,
                        SolidOperation operation);
   /// The layer without all tools, or together with them.
@@ -85,7 +85,7 @@ SolidTrimResult LayerWork::step(const LabelledSolid& first, const LabelledSolid&
     face = {face.face, origin.tool, origin.from};
     valid.Add(face.face);
   }
-  note(made, told);
+  add_facts(made, told);
   return made;
 }
 
@@ -96,7 +96,7 @@ SolidTrimResult LayerWork::folded(LabelledSolid layer, std::span<const LabelledS
   for (std::size_t i = 0; i < tools.size(); ++i) {
     made = step(layer, tools[i], operation);
     if (is_refused() || made.solids.empty()) break;
-    if (i + 1 < tools.size()) layer = stage_of(made.solids, made.faces);
+    if (i + 1 < tools.size()) layer = labelled(made.solids, made.faces);
   }
   return made;
 }
@@ -108,7 +108,7 @@ LabelledSolid piece_of(const SolidTrimResult& made, const TopoDS_Solid& solid) {
   std::vector<SolidFace> known;
   std::ranges::copy_if(made.faces, std::back_inserter(known),
                        [&](const SolidFace& face) { return own.RemoveKey(face.face); });
-  return stage_of({solid}, known);
+  return labelled({solid}, known);
 }
 
 // Pieces have faces in common, so each is worked on by itself.
@@ -120,7 +120,7 @@ SolidTrimResult LayerWork::split(const LabelledSolid& layer, std::span<const Lab
     for (const LabelledSolid& piece : pieces) {
       const SolidTrimResult divided = step(piece, tools[i], SolidOperation::Split);
       if (is_refused()) return {};
-      give_out(divided, made);
+      append(divided, made);
     }
     pieces.clear();
     if (i + 1 < tools.size())
@@ -136,8 +136,8 @@ SolidTrimResult LayerWork::common(const LabelledSolid& layer,
     const SolidTrimResult made = step(layer, tool, SolidOperation::Common);
     if (is_refused()) break;
     if (made.solids.empty()) continue;
-    give_out(tools.size() == 1 ? made : common(stage_of(made.solids, made.faces), tools.subspan(1)),
-             all);
+    append(tools.size() == 1 ? made : common(labelled(made.solids, made.faces), tools.subspan(1)),
+           all);
   }
   return all;
 }
@@ -148,7 +148,7 @@ LabelledSolid fused(const LabelledSolids& layers, LayerWork& work) {
   if (layers.size() == 1) return layers.front();
   const SolidTrimResult made =
       work.folded(layers.front(), std::span(layers).subspan(1), SolidOperation::Fuse);
-  return work.is_refused() ? LabelledSolid{} : stage_of(made.solids, made.faces);
+  return work.is_refused() ? LabelledSolid{} : labelled(made.solids, made.faces);
 }
 
 LabelledSolids each_fused(const std::vector<LabelledSolids>& inputs, LayerWork& work) {
@@ -165,16 +165,15 @@ SolidTrimResult fused(const std::vector<std::vector<LabelledSolids>>& sets, Laye
     const LabelledSolids inputs = each_fused(set, work);
     if (work.is_refused()) break;
     if (inputs.size() > 1)
-      give_out(work.folded(inputs.front(), std::span(inputs).subspan(1), SolidOperation::Fuse),
-               all);
+      append(work.folded(inputs.front(), std::span(inputs).subspan(1), SolidOperation::Fuse), all);
     else
-      give_out(inputs.front(), all);
+      append(inputs.front(), all);
   }
   return all;
 }
 
 // Each layer of the part by itself.
-SolidTrimResult divided(StagedInputs& inputs, SolidOperation operation, LayerWork& work) {
+SolidTrimResult divided(LabelledInputs& inputs, SolidOperation operation, LayerWork& work) {
   const std::vector<LabelledSolids> tools = inputs.tools();
   LabelledSolids cutters;
   if (operation == SolidOperation::Cut) cutters = inputs.gathered_tools();
@@ -183,9 +182,9 @@ SolidTrimResult divided(StagedInputs& inputs, SolidOperation operation, LayerWor
   for (const LabelledSolid& layer : inputs.part()) {
     if (work.is_refused()) break;
     switch (operation) {
-      case SolidOperation::Common: give_out(work.common(layer, tools), all); break;
-      case SolidOperation::Split: give_out(work.split(layer, cutters), all); break;
-      default: give_out(work.folded(layer, cutters, operation), all); break;
+      case SolidOperation::Common: append(work.common(layer, tools), all); break;
+      case SolidOperation::Split: append(work.split(layer, cutters), all); break;
+      default: append(work.folded(layer, cutters, operation), all); break;
     }
   }
   return all;
@@ -236,12 +235,12 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
   SolidTrimResult result;
   try {
     const TrueInputs sound(part, tools, own_limit);
-    StagedInputs inputs(sound.part(), sound.tools(), options.tolerances.point, limit);
+    LabelledInputs inputs(sound.part(), sound.tools(), options.tolerances.point, limit);
     ConeVolumes cones(cone_apex(sound.part()));
     LayerWork work{limit, cones, faces_of(part, tools), {}};
     result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
                                                : divided(inputs, operation, work);
-    note(work.told, result);
+    add_facts(work.told, result);
     result.tolerances = sound.told();
     // Later steps may have changed edges and vertices of faces that are left of earlier ones.
     if (result.obstacles.empty() && result.volumes.size() > 1 &&
@@ -307,7 +306,8 @@ SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimT
   return finer;
 }
 
-// And counts faces of results among all that their inputs have.
+// Says which faces of the inputs are loose, and numbers the faces of results among all that their
+// inputs have, loose ones too.
 void tell_loose_faces(const TrimTool& part, const std::vector<TrimTool>& tools,
                       SolidTrimResult& result) {
   const auto tell = [&](const TrimTool& input, const std::string& name) {
@@ -321,10 +321,6 @@ void tell_loose_faces(const TrimTool& part, const std::vector<TrimTool>& tools,
     if (!of.places.empty()) face.from = of.places[static_cast<std::size_t>(face.from)];
   }
 }
-
-}  // namespace
-
-namespace {
 
 void require_faces(const TrimTool& input, const std::string& name) {
   if (input.faces.empty()) throw BadModel(name + ": there is no face in it");

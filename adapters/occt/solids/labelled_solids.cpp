@@ -12,20 +12,20 @@
 
 namespace blossom::occt {
 
-LabelledSolid stage_of(const std::vector<TopoDS_Solid>& solids,
+LabelledSolid labelled(const std::vector<TopoDS_Solid>& solids,
                        const std::vector<SolidFace>& known) {
   TopTools_IndexedMapOfShape numbers;
   for (const SolidFace& face : known) numbers.Add(face.face);
-  LabelledSolid stage{solid_tool(solids), {}};
-  for (const TopoDS_Face& face : stage.solid.faces) {
+  LabelledSolid made{solid_tool(solids), {}};
+  for (const TopoDS_Face& face : made.solid.faces) {
     const SolidFace& origin = known[static_cast<std::size_t>(numbers.FindIndex(face)) - 1];
-    stage.faces.push_back({face, origin.tool, origin.from});
+    made.faces.push_back({face, origin.tool, origin.from});
   }
-  return stage;
+  return made;
 }
 
-StagedInputs::StagedInputs(const TrimTool& part, const std::vector<TrimTool>& tools,
-                           double tolerance, const SharedLimit& limit) {
+LabelledInputs::LabelledInputs(const TrimTool& part, const std::vector<TrimTool>& tools,
+                               double tolerance, const SharedLimit& limit) {
   const auto add = [this](const TrimTool& input) {
     const int tool = static_cast<int>(faces_.size()) - 1;
     std::vector<SolidFace>& faces = faces_.emplace_back();
@@ -45,20 +45,20 @@ StagedInputs::StagedInputs(const TrimTool& part, const std::vector<TrimTool>& to
                                           : LabelledSolids{{tools[i], faces_[i + 1]}});
 }
 
-LabelledSolids StagedInputs::layers_of(const SolidPlaces& places, int input) {
+LabelledSolids LabelledInputs::layers_of(const SolidPlaces& places, int input) {
   SolidPlaces own;
   std::ranges::copy_if(places, std::back_inserter(own),
                        [&](std::size_t place) { return input_[place] == input; });
-  LabelledSolids stages;
+  LabelledSolids made;
   for (const SolidPlaces& layer : contacts_->layers(own)) {
     std::vector<TopoDS_Solid> solids;
     for (const std::size_t place : layer) solids.push_back(solids_[place]);
-    stages.push_back(stage_of(solids, faces_[static_cast<std::size_t>(input)]));
+    made.push_back(labelled(solids, faces_[static_cast<std::size_t>(input)]));
   }
-  return stages;
+  return made;
 }
 
-LabelledSolids StagedInputs::gathered_tools() {
+LabelledSolids LabelledInputs::gathered_tools() {
   struct Group {
     SolidPlaces places;
     std::vector<SolidFace> known;
@@ -83,16 +83,16 @@ LabelledSolids StagedInputs::gathered_tools() {
     group->places.insert(group->places.end(), own.places.begin(), own.places.end());
     group->known.insert(group->known.end(), own.known.begin(), own.known.end());
   }
-  LabelledSolids stages;
+  LabelledSolids made;
   for (const Group& group : groups) {
     std::vector<TopoDS_Solid> solids;
     for (const std::size_t place : group.places) solids.push_back(solids_[place]);
-    stages.push_back(stage_of(solids, group.known));
+    made.push_back(labelled(solids, group.known));
   }
-  return stages;
+  return made;
 }
 
-std::vector<std::vector<LabelledSolids>> StagedInputs::joined() {
+std::vector<std::vector<LabelledSolids>> LabelledInputs::joined() {
   // Without solids that must not become one there is nothing to tell apart.
   if (std::ranges::all_of(layers_, [](const LabelledSolids& layers) { return layers.size() == 1; }))
     return {layers_};

@@ -19,22 +19,22 @@ struct LabelledSolid {
 using LabelledSolids = std::vector<LabelledSolid>;
 
 /// Closed solids, turned outwards, whose faces are among known ones.
-LabelledSolid stage_of(const std::vector<TopoDS_Solid>& solids,
+LabelledSolid labelled(const std::vector<TopoDS_Solid>& solids,
                        const std::vector<SolidFace>& known);
 
-/// The part and the tools of an operation, in layers: where two solids of one input touch, faces of
-/// another one would be cut twice in the same place.
-class StagedInputs {
+/// The part and the tools of an operation, in layers of solids that touch none of their layer:
+/// where two solids of one input touch, faces of another one would be cut twice in the same place.
+class LabelledInputs {
  public:
   /// tolerance, limit   as of SolidContacts
-  StagedInputs(const TrimTool& part, const std::vector<TrimTool>& tools, double tolerance,
-               const SharedLimit& limit);
+  LabelledInputs(const TrimTool& part, const std::vector<TrimTool>& tools, double tolerance,
+                 const SharedLimit& limit);
 
   const LabelledSolids& part() const { return layers_.front(); }
   std::vector<LabelledSolids> tools() const { return {layers_.begin() + 1, layers_.end()}; }
 
-  /// The tools in as few stages as it takes for none to meet another one of its stage, neither from
-  /// outside nor by holding it: what one after the other would cut, a stage cuts at once. Nothing
+  /// The tools in as few groups as it takes for none to meet another one of its group, neither from
+  /// outside nor by holding it: what one after the other would cut, a group cuts at once. Nothing
   /// if a tool is a sheet or has several layers.
   LabelledSolids gathered_tools();
 
