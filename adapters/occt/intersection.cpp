@@ -269,9 +269,8 @@ class PairIntersector {
                                   SurfaceIntersection& found) const {
     found = between(i, j, edges);
     const std::vector<Overlap> whole = found.overlaps;
-    const std::vector<Touch> touches =
-        clip(found, faces_a_.data(i).trims, &faces_b_.data(j).trims, 0,
-             std::max(kOnWire, options_.tolerances.point));
+    const std::vector<Touch> touches = clip(found, faces_a_.data(i).trims, &faces_b_.data(j).trims,
+                                            0, std::max(kOnWire, options_.tolerances.point));
     if (found.overlaps.size() < whole.size())
       add_overlaps(faces_a_.face(i), faces_b_.face(j), whole, found);
     return touches;
@@ -298,8 +297,8 @@ class PairIntersector {
         faces_a_.cuts() == ArcCuts::Shifted ||
         !(has_inner_arcs(a.surface) || has_inner_arcs(b.surface)))
       return found;
-    SurfaceIntersection again =
-        intersect(faces_a_.unevenly_cut(i), faces_b_.unevenly_cut(j), options_for(a, b, edges));
+    SurfaceIntersection again = intersect(faces_a_.with_shifted_arcs(i),
+                                          faces_b_.with_shifted_arcs(j), options_for(a, b, edges));
     return again.status == Status::Stopped ? found : again;
   }
 

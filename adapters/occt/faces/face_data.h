@@ -18,6 +18,7 @@ namespace blossom::occt {
 FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent = Extent::Trims,
                    ArcCuts cuts = ArcCuts::Even);
 
+/// A found curve as edges have it: in space, in the parameters of both faces, and with a tolerance.
 EdgeCurves edge_curves(const IntersectionCurve& curve);
 
 }  // namespace blossom::occt

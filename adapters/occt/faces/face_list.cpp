@@ -109,7 +109,7 @@ FaceList::~FaceList() {
   parallel_for(size(), kFaceGrain, [&](std::size_t i) { data_[i] = {}; });
 }
 
-BezierSurface FaceList::unevenly_cut(std::size_t i) const {
+BezierSurface FaceList::with_shifted_arcs(std::size_t i) const {
   return face_data(faces_[i], tolerance_, extent_, ArcCuts::Shifted).surface;
 }
 

@@ -25,7 +25,7 @@ class FaceList {
   ///          has the face's place in the list
   FaceList(const std::vector<TopoDS_Face>& faces, std::string name, double tolerance, Extent extent,
            ArcCuts cuts = ArcCuts::Even);
-  /// By all threads.
+  /// Gives the converted faces' memory back by all threads.
   ~FaceList();
   FaceList(const FaceList&) = delete;
   FaceList& operator=(const FaceList&) = delete;
@@ -43,8 +43,8 @@ class FaceList {
   /// throws   BadModel likewise
   void convert(const std::vector<char>& wanted);
   ArcCuts cuts() const { return cuts_; }
-  /// The surface of a converted face, its arcs cut elsewhere.
-  BezierSurface unevenly_cut(std::size_t i) const;
+  /// The surface of a converted face, its arcs cut as by ArcCuts::Shifted.
+  BezierSurface with_shifted_arcs(std::size_t i) const;
   /// Empty of a face that is not converted.
   const FaceData& data(std::size_t i) const { return data_[i]; }
 

@@ -16,10 +16,10 @@ struct UntrimmedFace {
 };
 
 /// The pieces of a face; their parameters turn as those of its surface do, so they are to be
-/// reversed where the face is. throws   BadModel if the face cannot be converted; InvalidInput as
-/// triangulated_region
+/// reversed where the face is.
 ///
 /// lowering   keeps its matrices for the next face
+/// throws     BadModel if the face cannot be converted; InvalidInput as triangulated_region
 UntrimmedFace untrimmed(const TopoDS_Face& face, const RegionOptions& options,
                         TriangleLowering& lowering);
 UntrimmedFace untrimmed(const TopoDS_Face& face, const RegionOptions& options = {});

@@ -17,8 +17,9 @@ struct LeastBox {
 };
 
 /// The box of faces within their trims, of edges and vertices; tolerances do not count. Faces of
-/// straight lines go no farther than their edges, straight edges no farther than their ends, arcs of
-/// circles and ellipses are in closed form. Of the rest each side is as far from a plane beyond it as the shape is, which is known to 1e-7.
+/// straight lines go no farther than their edges, and straight edges no farther than their ends;
+/// arcs of circles and ellipses are in closed form. For the rest each side follows from the least
+/// distance of the shape from a plane beyond it, which is known to 1e-7.
 ///
 /// shape       with at least a vertex
 /// cancelled   asked now and then; when true, the precision is what is known by then
