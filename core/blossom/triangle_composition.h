@@ -18,8 +18,8 @@ namespace blossom {
 /// S(G(x, y)), homogeneous, multiplied by w(x, y)^(n + m).
 ///
 /// patch        (n + 1) x (m + 1) points, model units
-/// map          points (wu, wv, w) in the parameters of the patch; weights of a polynomial map are
-/// 1 returns      degree q (n + m); the weights are 1 to rounding if those of patch and map are 1
+/// map          points (wu, wv, w) in the parameters of the patch; a polynomial one has weights 1
+/// returns      degree q (n + m); the weights are 1 to rounding if those of patch and map are 1
 /// throws       InvalidInput if a degree of the patch is not 0..kMaxDegree, the number of points
 ///              does not fit the map's degree or the result's degree is above 2 kMaxDegree
 /// accuracy     triangle_composition_error(n, m, q), relative to the largest coordinate of the net,

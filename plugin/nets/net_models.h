@@ -17,8 +17,8 @@ namespace blossom::nets {
 std::vector<Net> nets_of_faces(const reports::Input& input, const Stop& stop);
 
 /// Likewise of the chosen edges and those of the chosen faces, or of all edges; they have the
-/// numbers of the whole model. throws   occt::BadModel if there is no edge with a curve, and naming
-/// the edge
+/// numbers of the whole model.
+/// throws   occt::BadModel if there is no edge with a curve, and naming the edge
 std::vector<Net> nets_of_edges(const reports::Input& input, bool all, const Stop& stop);
 
 void append(std::vector<Net>& all, std::vector<Net> more);

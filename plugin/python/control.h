@@ -49,7 +49,8 @@ class Watch {
 
   bool ended() const { return interrupted_ || (cancel_ && cancel_->asked); }
   void interrupt() { interrupted_ = true; }
-  /// Ends the work. throws   CancelledWork
+  /// Ends the work.
+  /// throws   CancelledWork
   void stop() const {
     if (ended()) throw CancelledWork();
   }

@@ -50,7 +50,8 @@ class LoadedModel {
 
   /// The members below belong to one question at a time.
   using Turn = std::unique_lock<std::timed_mutex>;
-  /// Waits for other questions. throws   CancelledWork
+  /// Waits for other questions.
+  /// throws   CancelledWork
   Turn turn(const Watch& watch);
   /// Whether two parts of one model wait for the same turn.
   bool shares_turn(const LoadedModel& other) const { return working_ == other.working_; }

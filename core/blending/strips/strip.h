@@ -90,8 +90,8 @@ Strip strip_between(const BezierSurface& a, SurfaceSide side_a, const BezierSurf
                     SurfaceSide side_b, const StripOptions& options = {});
 
 /// How well a surface with the spans of a strip meets the borders, which have rows of order 2; for
-/// a strip that went through other hands. `scale` stays 0. throws    InvalidInput if the strip has
-/// other spans
+/// a strip that went through other hands. `scale` stays 0.
+/// throws    InvalidInput if the strip has other spans
 std::array<StripContact, 2> strip_contacts(const BezierSurface& strip, const Border& a,
                                            const Border& b, bool backward, double start_b = 0);
 

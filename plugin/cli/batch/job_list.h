@@ -44,7 +44,8 @@ class JobList {
   /// How many are of the shard.
   std::size_t size() const { return stays_in_memory_ ? jobs_.size() : places_.size(); }
 
-  /// A job of the shard, from 0. throws   UsageError if the file was changed meanwhile
+  /// A job of the shard, from 0.
+  /// throws   UsageError if the file was changed meanwhile
   Job at(std::size_t number);
 
  private:

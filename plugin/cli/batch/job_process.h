@@ -37,7 +37,8 @@ inline constexpr long kMaxJobMessages = 1L << 20;  ///< bytes on stderr; the res
 
 class JobProcess {
  public:
-  /// Begins. throws   occt::Failure if there can be no process
+  /// Begins.
+  /// throws   occt::Failure if there can be no process
   JobProcess(const Job& job, const JobSetup& setup);
   /// Ends what is left of it.
   ~JobProcess();

@@ -30,7 +30,8 @@ class ResultFile {
   ResultFile(const ResultFile&) = delete;
   ResultFile& operator=(const ResultFile&) = delete;
 
-  /// Writes a line. throws   occt::Failure if it cannot be written; no part of it is left then
+  /// Writes a line.
+  /// throws   occt::Failure if it cannot be written; no part of it is left then
   void add(const std::string& line);
 
   /// False if the results go into a pipe that nobody reads any more.

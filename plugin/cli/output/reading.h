@@ -26,12 +26,13 @@ ReadingPolicy& reading_policy();
 double reading_allowance(const std::filesystem::path& file);
 
 /// Reads a model, telling the supervision each step, says on stderr what is lost, and keeps it for
-/// the reports. throws   occt::BadModel as read_model, or if shapes are missing and the policy is
-/// strict
+/// the reports.
+/// throws   occt::BadModel as read_model, or if shapes are missing and the policy is strict
 occt::Model read_told(const std::filesystem::path& file);
 
 /// Does checks of a file's shapes as optional steps (see supervision.h), each with as much
-/// processor time as reading has. throws   Interrupted between two of them
+/// processor time as reading has.
+/// throws   Interrupted between two of them
 occt::CheckRunner watched_checks(const std::filesystem::path& file);
 
 /// Adds the member "reading" to a report, a list of the files that were read, and takes the status

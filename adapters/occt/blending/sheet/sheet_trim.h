@@ -31,8 +31,8 @@ struct TrimmedBody {
 ///
 /// Wires are put together anew from what is left of their edges and from the edges that the sheet
 /// adds: end to start at common vertices. A face may fall apart into several. Where a face shrinks
-/// to a run of two edges along each other it goes, and the edges become one. throws   FilletRefused
-/// if wires stay open, or more of an edge would go than there is
+/// to a run of two edges along each other it goes, and the edges become one.
+/// throws   FilletRefused if wires stay open, or more of an edge would go than there is
 TrimmedBody trimmed_by_sheet(const BodyEdges& body, BlendSheet& sheet, double tolerance);
 
 }  // namespace blossom::occt

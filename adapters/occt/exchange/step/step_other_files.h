@@ -13,8 +13,8 @@ namespace blossom::occt {
 
 /// Open CASCADE follows every name of a file in a model, whatever it leads to. Followed are those
 /// of regular files in the model's own folder that name no others; all else is taken out of the
-/// session and listed as lost, unless the product has a shape in this file: then the name says where
-/// it came from.
+/// session and listed as lost, unless the product has a shape in this file: then the name says
+/// where it came from.
 ///
 /// returns   whether a name is left to follow
 /// throws    BadModel if one cannot be taken out

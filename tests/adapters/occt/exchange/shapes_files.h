@@ -32,7 +32,8 @@ void write_content(const std::filesystem::path& file, const std::string& text);
 /// An assembly "Machine" of a blue plate "Base plate" in the layer "plates" with a red face
 /// "TopFace" and a green face "SideFace", and two instances "pin:1", "pin:2" of a yellow "Pin" with
 /// the faces "Left" and "Right", which is violet. All parts are boxes: faces 1 to 6 are the
-/// plate's, 7 to 12 and 13 to 18 the pins'. unit    as `write.step.unit` takes it
+/// plate's, 7 to 12 and 13 to 18 the pins'.
+/// unit    as `write.step.unit` takes it
 void write_machine(const std::filesystem::path& file, const std::string& unit = "MM");
 
 /// Two assemblies "Left" and "Right" of one instance each, without a name, of a red "Block".
