@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/curve_queries.h"
 
+#include <string>
 #include <vector>
 
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
+#include "core/curves/curve_closing.h"
 
 namespace blossom::occt {
 namespace {
@@ -62,6 +64,7 @@ CurveSurfaceIntersection intersect(const TopoDS_Edge& edge, const TopoDS_Face& f
       blossom::intersect(bezier_spans(edge, tolerance), bezier_surface(face, tolerance), options);
   const FaceTrims trims = face_trims(face);
   std::vector<CurveSurfacePoint> kept;
+  std::vector<CurvePlace> on_wires;
   for (const CurveSurfacePoint& point : found.points) {
     const Side side = side_of(trims, point.uv, options.tolerances.point);
     if (side == Side::Outside) {
@@ -71,18 +74,17 @@ CurveSurfaceIntersection intersect(const TopoDS_Edge& edge, const TopoDS_Face& f
     kept.push_back(point);
     if (side == Side::Border && point.proven) {
       kept.back().proven = false;
-      found.places.push_back(border_place(point, options.tolerances.point));
+      on_wires.push_back(border_place(point, options.tolerances.point));
     }
   }
   found.points = std::move(kept);
+  const bool contacts = !found.places.empty();
+  found.places.insert(found.places.end(), on_wires.begin(), on_wires.end());
   if (found.status == Status::Stopped) return found;
-  const bool exact = found.places.empty();
-  const bool approximate = found.status == Status::Tolerance &&
-                           found.certificate.reasons.size() > 0 &&
-                           found.certificate.reasons.back() != "contacts within tolerance";
-  found.status = exact && !approximate ? Status::Complete : Status::Tolerance;
-  if (!exact && found.certificate.reasons.empty())
-    found.certificate.reasons.push_back("points on a wire of the face");
+  std::vector<std::string>& reasons = found.certificate.reasons;
+  if (!contacts) std::erase(reasons, kContactsWithinTolerance);  // they were outside of the trims
+  if (!on_wires.empty()) reasons.emplace_back("points on a wire of the face");
+  found.status = reasons.empty() ? Status::Complete : Status::Tolerance;
   return found;
 }
 

@@ -8,6 +8,9 @@
 
 namespace blossom {
 
+/// Why a result that lists places is within tolerance.
+inline constexpr const char* kContactsWithinTolerance = "contacts within tolerance";
+
 /// Takes points and places back from the origin, and lets counts and status tell what was found.
 ///
 /// approximate   says what is only an approximation; nullptr: nothing is
@@ -25,7 +28,7 @@ void close_search(Result& result, const Findings& found, const Vec3& origin,
     result.status = weaker(result.status, status);
     result.certificate.reasons.emplace_back(reason);
   };
-  if (!result.places.empty()) weaken(Status::Tolerance, "contacts within tolerance");
+  if (!result.places.empty()) weaken(Status::Tolerance, kContactsWithinTolerance);
   if (approximate != nullptr) weaken(Status::Tolerance, approximate);
   if (found.stopped) weaken(Status::Stopped, found.stopped);
 }

@@ -123,6 +123,15 @@ TEST(OcctCurveQueries, PointsOutsideOfTheTrimsAreLeftOut) {
   EXPECT_EQ(at(1).places.size(), 1U);
 }
 
+TEST(OcctCurveQueries, GivesNoReasonForATouchOutsideOfTheTrims) {
+  const gp_Circ ring(gp_Ax2({0, 0.1, 1}, gp::DY()), 1);  // its lowest point is in the hole
+  const CurveSurfaceIntersection found = intersect(BRepBuilderAPI_MakeEdge(ring), frame());
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.points.empty());
+  EXPECT_TRUE(found.places.empty());
+  EXPECT_TRUE(found.certificate.reasons.empty());
+}
+
 TEST(OcctCurveQueries, RefusesEdgesWithoutCurves) {
   EXPECT_THROW(bezier_spans(TopoDS_Edge()), BadModel);
   EXPECT_THROW(bezier_spans(Handle(Geom2d_Curve)(), {0, 1}), BadModel);
