@@ -109,8 +109,7 @@ std::optional<FilletLimit> swept_limit(const BodyEdges& body, int edge, bool con
     if (room.least == 0) low = high;
   }
   if (cause == 0) return std::nullopt;
-  return FilletLimit{low, "edge " + std::to_string(cause) + ", which the contact reaches",
-                     true};
+  return FilletLimit{low, "edge " + std::to_string(cause) + ", which the contact reaches", true};
 }
 
 }  // namespace

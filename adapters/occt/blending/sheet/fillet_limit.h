@@ -11,8 +11,8 @@
 namespace blossom::occt {
 
 struct FilletLimit {
-  double radius = 0;  ///< model units
-  std::string cause;  ///< what stops larger balls, in words
+  double radius = 0;     ///< model units
+  std::string cause;     ///< what stops larger balls, in words
   bool reached = false;  ///< whether the ball of that radius itself may still roll
 };
 

@@ -33,8 +33,8 @@ namespace blossom::occt {
 namespace {
 
 // Of what balls take off between tangent planes: errors with which the change of a volume is
-// measured, until it is certain which sign it has. It is a sum of some hundred integrals whose error
-// estimates exceed their errors by far.
+// measured, until it is certain which sign it has. It is a sum of some hundred integrals whose
+// error estimates exceed their errors by far.
 constexpr std::array kShares{1e-3, 1e-5};
 constexpr double kSure = 100;
 // Radians: at sharper edges contacts come to the ends of faces, and less is taken off than between
@@ -349,7 +349,16 @@ void Filleting::set_size(double size) {
   chamfer.first = size;
 }
 
+// What was made may stay, or may have failed: either way nothing of it comes into what is made
+// next.
+void Filleting::renew_body() {
+  if (!std::exchange(is_used_, false)) return;
+  rolled_.reset();  // it points into the body
+  body_ = BodyEdges(own_copy(given_));
+}
+
 void Filleting::roll(const FilletEdges& edges, double size) {
+  renew_body();
   set_size(size);
   std::map<const SolidPart*, FilletEdges> of;
   for (const auto& [edge, concave] : edges) of[&part_of(edge)].emplace(edge, concave);
@@ -362,6 +371,8 @@ void Filleting::roll(const FilletEdges& edges, double size) {
 }
 
 std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges, double size) {
+  renew_body();
+  is_used_ = true;
   set_size(size);
   std::vector<FilletedSolid> all;
   notes_.clear();

@@ -50,7 +50,8 @@ class Filleting {
   /// limit   of work that this is a part of; null: its time begins to run
   Filleting(const TopoDS_Shape& shape, const FilletOptions& options,
             std::shared_ptr<const WorkLimit> limit = nullptr)
-      : body_(own_copy(shape)),
+      : given_(shape),
+        body_(own_copy(shape)),
         options_(options),
         limit_(limit ? std::move(limit)
                      : std::make_shared<const WorkLimit>(options_.intersection)) {
@@ -85,6 +86,7 @@ class Filleting {
 
  private:
   void find_parts(const TopoDS_Shape& shape);
+  void renew_body();
   bool is_inside_out(const SolidPart& part);
   SolidPart& part_of(int edge);
   double cone_over(int face, double enough = 0);
@@ -115,7 +117,9 @@ class Filleting {
     return faces_given_[static_cast<std::size_t>(number) - 1];
   }
 
-  BodyEdges body_;
+  TopoDS_Shape given_;
+  BodyEdges body_;        // of a copy, as what is made widens tolerances in it
+  bool is_used_ = false;  // by what was made last
   FilletOptions options_;
   std::shared_ptr<const WorkLimit> limit_;
   std::vector<SolidPart> parts_;

@@ -116,7 +116,7 @@ void Flood::spread(const TopoDS_Vertex& vertex) {
       if (fates(edge)[i] == Fate::Stays)
         throw FilletRefused({FilletFault::EdgeConsumed,
                              edge,
-                             "blends at both its ends would take more of it than there is",
+                             "blends would take more of it than there is",
                              pieces[i].range.from,
                              point_of(vertex),
                              {},

@@ -86,6 +86,17 @@ TEST(LargestFillet, IsFoundWhereOnlyResultsTellIt) {
   expect_told(bored, edges_that_have(bored, EdgeKind::Convex), 1.5, 1, kClose);
 }
 
+// A step with a notch 2 beside its edge, past which the concave edge's strip cannot go. What the
+// first attempt at it widened must not count in the next ones.
+TEST(LargestFillet, IsFoundAfterAnAttemptThatFails) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(20, 40, 20).Shape();
+  const TopoDS_Shape step =
+      BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeBox(gp_Pnt(10, -1, 12), 20, 50, 20).Shape()).Shape();
+  const TopoDS_Shape notched =
+      BRepAlgoAPI_Cut(step, BRepPrimAPI_MakeBox(gp_Pnt(12, 36, -1), 20, 10, 30).Shape()).Shape();
+  expect_told(notched, {edge_with_middle(notched, {10, 20, 12})}, 3, 2, kClose);
+}
+
 // A wall across the trough z = 2 x^2, whose least radius of curvature is 1/4.
 TEST(LargestFillet, OfATroughIsItsRadiusOfCurvature) {
   TColgp_Array1OfPnt poles(1, 3);
