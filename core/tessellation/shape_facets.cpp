@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -54,6 +55,7 @@ class Mesher {
       const ModelEdge& edge = model_.edges[k];
       if (!edge.is_point) polylines_[k] = EdgePolyline(edge.curve, edge.from == edge.to, options_);
     });
+    part_common_chords();
     std::vector<std::size_t> open(model_.faces.size());
     for (std::size_t f = 0; f < open.size(); ++f) open[f] = f;
     for (int round = 0; round <= kLastRound && !open.empty(); ++round) {
@@ -72,6 +74,22 @@ class Mesher {
     const std::lock_guard<std::mutex> lock(asking_);
     if (!stopped_ && !ask_()) stopped_ = true;
     return !stopped_;
+  }
+
+  // Of edges between the same vertices one at most is its chord, the straightest: else all their
+  // faces would have that side in common.
+  void part_common_chords() {
+    std::map<std::pair<int, int>, std::size_t> straightest;
+    for (std::size_t k = 0; k < polylines_.size(); ++k) {
+      if (polylines_[k].segments() != 1) continue;
+      const auto ends = std::minmax(model_.edges[k].from, model_.edges[k].to);
+      const auto [known, is_first] = straightest.try_emplace(ends, k);
+      if (is_first) continue;
+      std::size_t bent = k;
+      if (polylines_[k].distance() < polylines_[known->second].distance())
+        std::swap(bent, known->second);
+      polylines_[bent].split({0});
+    }
   }
 
   void attempt(const std::vector<std::size_t>& faces, int round) {

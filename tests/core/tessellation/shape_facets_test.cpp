@@ -246,6 +246,37 @@ TEST(ShapeFacets, DivideArcsWhoseChordsLeaveHolesOutside) {
   EXPECT_NEAR(area(facets), 1 + 0.1 - 0.008, 0.04);
 }
 
+// A hole between an arc and its chord, both of which are within the deviation of the chord.
+TEST(ShapeFacets, OfEdgesWithTheSameEndsHaveNoSideInCommon) {
+  ShapeModel model = square();
+  ModelFace& face = model.faces[0];
+  const Vec2 a{0.4, 0.5}, b{0.6, 0.5};
+  for (const Vec2& end : {a, b}) {
+    model.vertices.push_back({end[0], end[1], 0});
+    face.chart.corners.push_back(end);
+  }
+  model.edges.push_back(
+      {curve_spans(BezierCurve{{{a[0], a[1], 0}, {0.5, 0.52, 0}, {b[0], b[1], 0}}}), 4, 5});
+  RegionBorder arc = line(a, b, 4, 5);
+  arc.curve.spans = {{{{{a[0], a[1], 1}, {0.5, 0.52, 1}, {b[0], b[1], 1}}}, {0, 1}}};
+  face.chart.borders.push_back(arc);
+  model.edges.push_back({straight({a[0], a[1], 0}, {b[0], b[1], 0}), 4, 5});
+  face.chart.borders.push_back(line(a, b, 5, 4, true));
+  face.edges.insert(face.edges.end(), {4, 5});
+  const ShapeFacets facets = shape_facets(model, {.deviation = 1, .angle = 0});
+  ASSERT_EQ(facets.faces[0].obstacle, "");
+  std::map<std::pair<int, int>, int> uses;
+  for (const auto& triangle : facets.faces[0].triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::vector<int>& of = facets.faces[0].vertices;
+      const int from = of[static_cast<std::size_t>(triangle[k])],
+                to = of[static_cast<std::size_t>(triangle[(k + 1) % 3])];
+      ++uses[std::minmax(from, to)];
+    }
+  EXPECT_EQ((uses[{4, 5}]), 1);
+  EXPECT_LT(area(facets), 1 - 0.5 * 0.2 * 0.009);  // the hole is there
+}
+
 TEST(ShapeFacets, SayWhichFaceHasCrossingBorders) {
   ShapeModel model = square();
   std::swap(model.faces[0].chart.corners[1], model.faces[0].chart.corners[2]);
