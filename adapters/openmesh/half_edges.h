@@ -59,7 +59,10 @@ AddedFacets add_facets(Mesh& mesh, const ShapeFacets& facets, const std::vector<
       auto triangle = mesh.add_face(vertex(a), vertex(b), vertex(c));
       ++added.triangles;
       if (!triangle.is_valid()) {
-        const auto own = [&](int corner) { return mesh.add_vertex(mesh.point(vertex(corner))); };
+        const auto own = [&](int corner) {
+          const typename Mesh::Point point = mesh.point(vertex(corner));  // adding moves the points
+          return mesh.add_vertex(point);
+        };
         triangle = mesh.add_face(own(a), own(b), own(c));
         ++added.apart;
       }
