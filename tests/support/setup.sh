@@ -65,11 +65,11 @@ build_jobs() {
 
 # configure PRESET
 #
-# A release that is built from nothing is built by rooms, which takes less work; a folder that is there
-# keeps its way: by single sources, one that is touched is quicker.
+# What is built from nothing is built by rooms, which takes less work; a folder that is there keeps
+# its way: by single sources, one that is touched is quicker.
 configure() {
   local options=()
-  if [ "$1" = release ] && [ ! -f "$root/build/$1/CMakeCache.txt" ]; then options+=(-DBLOSSOM_UNITY=ON); fi
+  if [ ! -f "$root/build/$1/CMakeCache.txt" ]; then options+=(-DBLOSSOM_UNITY=ON); fi
   # Precompiled headers are kept in its cache only when it is told that they do not look at the time.
   if command -v ccache >/dev/null; then
     options+=("-DCMAKE_CXX_COMPILER_LAUNCHER=env;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache")
