@@ -20,7 +20,14 @@ constexpr std::size_t kPatchGrain = 256;  // that one thread validates in a row
 constexpr double kBeside = 1e-6;          // of a span
 
 // tan(alpha / 2): the range of the stereographic parameter of an arc is [-k, k].
-double arc_range(const Interval& span) { return std::tan(0.25 * length(span)); }
+// Of the arc of a conic: tan or tanh of half its half.
+double arc_range(ParameterLaw law, const Interval& span) {
+  const double quarter = 0.25 * length(span);
+  return law == ParameterLaw::Angle ? std::tan(quarter) : std::tanh(quarter);
+}
+
+// Hyperbolas are ellipses with an imaginary angle: squares of x change their sign.
+double turn_sign(ParameterLaw law) { return law == ParameterLaw::Angle ? 1 : -1; }
 
 std::size_t span_of(const std::vector<double>& knots, double parameter) {
   const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
@@ -87,26 +94,27 @@ void validate_patch(const RationalBezierPatch& patch, const char* name) {
 
 double parameter_at(ParameterLaw law, const Interval& span, double t) {
   if (law == ParameterLaw::Linear || t == 0 || t == 1) return at(span, t);
-  return at(span, 0.5) + 2 * std::atan(arc_range(span) * (2 * t - 1));
+  const double x = arc_range(law, span) * (2 * t - 1);
+  return at(span, 0.5) + 2 * (law == ParameterLaw::Angle ? std::atan(x) : std::atanh(x));
 }
 
 double parameter_derivative(ParameterLaw law, const Interval& span, double t) {
   if (law == ParameterLaw::Linear) return length(span);
-  const double k = arc_range(span);
-  const double x = k * (2 * t - 1);
-  return 4 * k / (1 + x * x);
+  const double k = arc_range(law, span), x = k * (2 * t - 1);
+  return 4 * k / (1 + turn_sign(law) * x * x);
 }
 
 double parameter_second_derivative(ParameterLaw law, const Interval& span, double t) {
   if (law == ParameterLaw::Linear) return 0;
-  const double k = arc_range(span);
-  const double x = k * (2 * t - 1);
-  return -16 * k * k * x / ((1 + x * x) * (1 + x * x));
+  const double k = arc_range(law, span), x = k * (2 * t - 1), sign = turn_sign(law);
+  return -16 * sign * k * k * x / ((1 + sign * x * x) * (1 + sign * x * x));
 }
 
 double local_parameter(ParameterLaw law, const Interval& span, double parameter) {
   if (law == ParameterLaw::Linear) return (parameter - span.from) / length(span);
-  return 0.5 * (1 + std::tan(0.5 * (parameter - at(span, 0.5))) / arc_range(span));
+  const double half = 0.5 * (parameter - at(span, 0.5));
+  const double x = law == ParameterLaw::Angle ? std::tan(half) : std::tanh(half);
+  return 0.5 * (1 + x / arc_range(law, span));
 }
 
 Vec3 point_at(const BezierSurface& surface, const Vec2& uv) {

@@ -22,6 +22,9 @@ enum class ParameterLaw {
   /// weight cos(alpha), alpha = (k1 - k0) / 2 < pi / 2:
   ///   angle(t) = (k0 + k1) / 2 + 2 atan(tan(alpha / 2) (2t - 1))
   Angle,
+  /// Likewise of an arc of a hyperbola, with the weight cosh(alpha); of curves in space alone:
+  ///   parameter(t) = (k0 + k1) / 2 + 2 atanh(tanh(alpha / 2) (2t - 1))
+  Hyperbolic,
 };
 
 struct BezierSurface {

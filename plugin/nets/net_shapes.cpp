@@ -90,7 +90,7 @@ std::vector<Net> edge_nets(const TopoDS_Edge& edge, const NetSource& source) {
     Interval range;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
     if (curve.IsNull()) return nets;
-    const CurveSpans spans = occt::bezier_spans(curve, range);
+    const CurveSpans spans = occt::profile_spans(curve, range);
     for (const CurveSpan& span : spans.spans) {
       Net net;
       net.value = span.curve;

@@ -251,7 +251,7 @@ Handle(Geom_BSplineCurve) whole_curve(const TopoDS_Edge& edge, const NetSource& 
     Interval range;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
     if (curve.IsNull()) return {};
-    const CurveSpans form = occt::bezier_spans(curve, range);
+    const CurveSpans form = occt::profile_spans(curve, range);
     const SourceDirection of = direction_of(curve, form);
     Handle(Geom_BSplineCurve) made =
         curve_of(form, whole(of, checked(of, interval, "the interval")));

@@ -123,7 +123,7 @@ std::optional<BorderSpans> plane_spans(const Chart& chart, const Geom_Plane& pla
                          ? chart.curve
                          : Handle(Geom2d_Curve)::DownCast(chart.curve->Mirrored(gp::OX2d()));
   const gp_Ax2 frame(axes.Location(), axes.Direction(), axes.XDirection());
-  const CurveSpans spans = bezier_spans(GeomLib::To3d(frame, curve), chart.place);
+  const CurveSpans spans = profile_spans(GeomLib::To3d(frame, curve), chart.place);
   if (spans.error > 0) {
     reason = "its curve in a plane is none of lines, conics and splines";
     return {};

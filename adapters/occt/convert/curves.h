@@ -25,13 +25,16 @@ namespace blossom::occt {
 RationalBezierCurve from_occt(const Geom_BezierCurve& curve);
 
 /// Any curve on a finite parameter range as Bezier spans: B-splines split at their knots, conics
-/// exactly, others (hyperbolas, for their parameters, and offset curves) within `tolerance` (model
-/// units); `error` is then twice the largest distance sampled, and above `tolerance` only if a
-/// 1024th of the range is still too long.
+/// exactly, offset curves within `tolerance` (model units); `error` is then twice the largest
+/// distance sampled, and above `tolerance` only if a 1024th of the range is still too long.
 /// throws   BadModel if the range is not finite, empty or outside of the curve, a number of the
 ///          curve is not finite or a weight not positive
 CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range,
-                        double tolerance = Tolerances{}.point, ArcCuts cuts = ArcCuts::Even);
+                        double tolerance = Tolerances{}.point);
+
+/// Likewise, with no other laws than surfaces and nets have: hyperbolas are approximated, too.
+CurveSpans profile_spans(const Handle(Geom_Curve) & curve, const Interval& range,
+                         double tolerance = Tolerances{}.point, ArcCuts cuts = ArcCuts::Even);
 
 /// The same of a curve in the plane, z = 0.
 /// throws   BadModel as above

@@ -11,6 +11,7 @@
 #include <GeomAdaptor_Curve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Ellipse.hxx>
+#include <Geom_Hyperbola.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_OffsetCurve.hxx>
 #include <Geom_Parabola.hxx>
@@ -147,8 +148,8 @@ void check_numbers(const Geom_Curve& curve) {
   }
 }
 
-CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance,
-                        ArcCuts cuts) {
+CurveSpans profile_spans(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance,
+                         ArcCuts cuts) {
   if (curve.IsNull()) throw BadModel("there is no curve");
   return guarded("converting a curve", [&] {
     const Handle(Geom_Curve) basis = basis_of(curve);
@@ -156,6 +157,21 @@ CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range,
     Interval natural{basis->FirstParameter(), basis->LastParameter()};
     if (basis->IsPeriodic()) natural = {-Precision::Infinite(), Precision::Infinite()};
     return spans_of(basis, checked_range(range, natural, "the curve's range"), tolerance, cuts);
+  });
+}
+
+CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance) {
+  const auto hyperbola =
+      curve.IsNull() ? Handle(Geom_Hyperbola)() : Handle(Geom_Hyperbola)::DownCast(basis_of(curve));
+  if (hyperbola.IsNull()) return profile_spans(curve, range, tolerance);
+  return guarded("converting a curve", [&] {
+    check_numbers(*hyperbola);
+    const Interval natural{hyperbola->FirstParameter(), hyperbola->LastParameter()};
+    const gp_Ax2 axes = hyperbola->Position();
+    return hyperbola_spans(vec(axes.Location()),
+                           hyperbola->MajorRadius() * vec(axes.XDirection().XYZ()),
+                           hyperbola->MinorRadius() * vec(axes.YDirection().XYZ()),
+                           checked_range(range, natural, "the curve's range"));
   });
 }
 

@@ -84,11 +84,11 @@ BezierSurface swept_patches(const Handle(Geom_Surface) & surface, const Paramete
                                             torus->MinorRadius(), box.v, cuts),
                           box.u, cuts);
   if (const auto moved = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface); !moved.IsNull())
-    return extruded_surface(bezier_spans(moved->BasisCurve(), box.u, tolerance, cuts),
+    return extruded_surface(profile_spans(moved->BasisCurve(), box.u, tolerance, cuts),
                             vec(moved->Direction().XYZ()), box.v);
   if (const auto revolved = Handle(Geom_SurfaceOfRevolution)::DownCast(surface); !revolved.IsNull())
     return turned_surface(
-        curved_meridian(bezier_spans(revolved->BasisCurve(), box.v, tolerance, cuts),
+        curved_meridian(profile_spans(revolved->BasisCurve(), box.v, tolerance, cuts),
                         vec(revolved->Location()), vec(revolved->Direction().XYZ())),
         box.u, cuts);
   if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface); !offset.IsNull())

@@ -57,4 +57,23 @@ CurveSpans ellipse_spans(const Vec3& origin, const Vec3& a, const Vec3& b, const
   return result;
 }
 
+CurveSpans hyperbola_spans(const Vec3& origin, const Vec3& a, const Vec3& b,
+                           const Interval& range) {
+  constexpr double kLongest = 2;
+  CurveSpans result;
+  result.rational = true;
+  const int count = std::max(1, static_cast<int>(std::ceil(length(range) / kLongest)));
+  for (int i = 0; i < count; ++i) {
+    const Interval place{at(range, i / double(count)), at(range, (i + 1) / double(count))};
+    RationalBezierCurve curve;
+    for (const double t : {place.from, at(place, 0.5), place.to}) {
+      const double weight = curve.points.size() == 1 ? std::cosh(0.5 * length(place)) : 1;
+      curve.points.push_back(
+          with_weight(weight * origin + std::cosh(t) * a + std::sinh(t) * b, weight));
+    }
+    result.spans.push_back({std::move(curve), place, ParameterLaw::Hyperbolic});
+  }
+  return result;
+}
+
 }  // namespace blossom

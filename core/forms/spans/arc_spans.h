@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Arcs of circles and ellipses as rational quadratic spans.
+// Arcs of circles, ellipses and hyperbolas as rational quadratic spans.
 
 #pragma once
 
@@ -36,5 +36,9 @@ std::vector<ArcSpan> arc_spans(const Interval& angles, ArcCuts cuts = ArcCuts::E
 /// origin + cos(t) a + sin(t) b for t in the range, radians.
 CurveSpans ellipse_spans(const Vec3& origin, const Vec3& a, const Vec3& b, const Interval& range,
                          ArcCuts cuts = ArcCuts::Even);
+
+/// origin + cosh(t) a + sinh(t) b, in equal spans at most 2 long: so middle weights are at most
+/// cosh(1), about as far from 1 as those of arcs of a circle.
+CurveSpans hyperbola_spans(const Vec3& origin, const Vec3& a, const Vec3& b, const Interval& range);
 
 }  // namespace blossom

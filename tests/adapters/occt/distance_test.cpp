@@ -21,6 +21,7 @@
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_Hyperbola.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
@@ -146,6 +147,18 @@ TEST(ShapeDistance, TakesPartsWhereTheyArePlaced) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(turned, TopAbs_FACE, faces);
   EXPECT_GT(faces.FindIndex(found.b.on), 0);
+}
+
+TEST(ShapeDistance, FromAHyperbolaIsExactAndKnowsItsParameter) {
+  // 0.3 beside the place at 0.7 of x = 2 cosh t, y = sinh t, where it curves away.
+  const double t = 0.7;
+  const Vec3 on{2 * std::cosh(t), std::sinh(t), 0};
+  const Vec3 normal = unit(Vec3{-std::cosh(t), 2 * std::sinh(t), 0});
+  const TopoDS_Edge edge =
+      BRepBuilderAPI_MakeEdge(new Geom_Hyperbola(gp_Ax2(), 2, 1), -1.0, 3.0).Edge();
+  const ShapeDistance found = nearest_point(MeasuredShape(edge), on + 0.3 * normal);
+  expect_distance(found, 0.3);
+  EXPECT_NEAR(found.b.uv[0], t, 1e-7);
 }
 
 TEST(ShapeDistance, ConvertsFormsWithoutControlPointsAtOnce) {

@@ -33,7 +33,8 @@ TEST(ParameterLaw, AngleIsTheAngleOfTheRationalArc) {
 
 TEST(ParameterLaw, DerivativesAreThoseOfTheLaw) {
   constexpr double kStep = 1e-5;
-  for (const ParameterLaw law : {ParameterLaw::Linear, ParameterLaw::Angle})
+  for (const ParameterLaw law :
+       {ParameterLaw::Linear, ParameterLaw::Angle, ParameterLaw::Hyperbolic})
     for (const double t : {0.1, 0.5, 0.8}) {
       const Interval span{-0.4, 0.9};
       const double low = parameter_at(law, span, t - kStep), middle = parameter_at(law, span, t),
@@ -41,6 +42,7 @@ TEST(ParameterLaw, DerivativesAreThoseOfTheLaw) {
       EXPECT_NEAR(parameter_derivative(law, span, t), (high - low) / (2 * kStep), 1e-9);
       EXPECT_NEAR(parameter_second_derivative(law, span, t),
                   (high - 2 * middle + low) / (kStep * kStep), 1e-4);
+      EXPECT_NEAR(local_parameter(law, span, middle), t, 1e-15);
     }
 }
 

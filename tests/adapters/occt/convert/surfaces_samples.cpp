@@ -156,7 +156,7 @@ std::vector<NamedCurve> all_curves(Random& random) {
       {"arc", circle, {-0.4, 3.9}},
       {"ellipse", new Geom_Ellipse(axes, 3, 1.2), {1, 7}},
       {"parabola", new Geom_Parabola(axes, 0.8), {-1.5, 4}},
-      {"hyperbola", new Geom_Hyperbola(axes, 2, 1), {-1, 1.5}, false},
+      {"hyperbola", new Geom_Hyperbola(axes, 2, 1), {-1, 4.5}},
       {"bezier", random_bezier_curve(random, 5, false), {0, 1}},
       {"rational bezier", random_bezier_curve(random, 4, true), {0.2, 0.9}},
       {"spline", random_spline_curve(random, false), {-1, 2.5}},

@@ -61,5 +61,17 @@ TEST(EllipseSpans, HaveTheEllipsesPointAtEveryAngle) {
   }
 }
 
+TEST(HyperbolaSpans, HaveTheHyperbolasPointAtEveryParameter) {
+  const Vec3 origin{1, 2, 3}, a{4, 1, 0}, b{0, -1, 2};
+  const CurveSpans curve = hyperbola_spans(origin, a, b, {-3.1, 4});
+  validate(curve, "hyperbola");
+  EXPECT_TRUE(curve.rational);
+  EXPECT_EQ(curve.error, 0);
+  EXPECT_EQ(curve.domain(), (Interval{-3.1, 4}));
+  for (double t = -3.1; t <= 4; t += 0.05)
+    EXPECT_LT(distance(point_at(curve, t), origin + std::cosh(t) * a + std::sinh(t) * b), 1e-12)
+        << t;
+}
+
 }  // namespace
 }  // namespace blossom
