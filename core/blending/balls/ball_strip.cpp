@@ -47,6 +47,11 @@ struct FitSpan {
   std::vector<Check> checks;
 };
 
+// The parameters of a contact in its support's surface: those of an edge are in v = 0.
+Vec2 place_of(const BallSupport& support, const Vec2& chart) {
+  return support.is_edge ? Vec2{chart[0], 0} : chart;
+}
+
 // What was found at the checks of a span.
 struct Measured {
   std::array<double, 2> gap{}, angle{};
@@ -233,16 +238,19 @@ Measured StripFitter::measured(std::size_t span) const {
       if (!form_.has_weight(static_cast<int>(r))) rows[r][3] = 1;
     }
     for (std::size_t k = 0; k < 2; ++k) {
-      const BezierSurface& surface = *track_.supports()[k].surface;
+      const BallSupport& support = track_.supports()[k];
+      const BezierSurface& surface = *support.surface;
       const std::size_t row = k == 0 ? 0 : row_count - 1, next = k == 0 ? 1 : row_count - 2;
-      const Vec2 chart{value[4 * row_count + 2 * k], value[4 * row_count + 2 * k + 1]};
+      const Vec2 chart =
+          place_of(support, {value[4 * row_count + 2 * k], value[4 * row_count + 2 * k + 1]});
       const PatchJet s = chart_jet(surface, cell_at(surface, chart), chart, 1);
       const Vec3 point = projected(rows[row]), across = projected(rows[next]) - point;
       m.gap[k] = std::max(m.gap[k], distance(s.point, point));
       if (form_.kind == SectionKind::Chamfer || norm(across) <= kNoWidth * check.ball.radius)
         continue;
       const Vec3 along{rate[4 * row], rate[4 * row + 1], rate[4 * row + 2]};
-      const Vec3 normal = cross(along, across), wanted = cross(s.u, s.v);
+      const Vec3 normal = cross(along, across),
+                 wanted = support.is_edge ? check.ball.contacts[k].normal : cross(s.u, s.v);
       const double angle = std::atan2(norm(cross(normal, wanted)), std::abs(dot(normal, wanted)));
       m.angle[k] = std::max(m.angle[k], angle);
     }
@@ -396,7 +404,8 @@ void StripFitter::write_contact(std::size_t k, BallStrip& strip) const {
   for (std::size_t i = 0; i < spline_.pole_count(); ++i) {
     const double* pole = spline_.poles.data() + i * columns();
     contact.row.points.push_back({pole[4 * row], pole[4 * row + 1], pole[4 * row + 2]});
-    contact.chart.points.push_back({pole[4 * rows + 2 * k], pole[4 * rows + 2 * k + 1]});
+    contact.chart.points.push_back(
+        place_of(track_.supports()[k], {pole[4 * rows + 2 * k], pole[4 * rows + 2 * k + 1]}));
   }
   prove_gap(*track_.supports()[k].surface, contact);
 }
@@ -435,6 +444,9 @@ StripMaker::StripMaker(const BallTrack& track, const BallStripOptions& options)
     throw InvalidInput("ball_strip: rho has to be in (0, 1), got " + std::to_string(options.rho));
   if (!(options.gap > 0) || !(options.angle > 0))
     throw InvalidInput("ball_strip: gap and angle have to be positive");
+  if (options.section == SectionKind::Curvature &&
+      (track.supports()[0].is_edge || track.supports()[1].is_edge))
+    throw InvalidInput("ball_strip: an edge has no curvature that a section could have");
 }
 
 StripMaker::~StripMaker() = default;

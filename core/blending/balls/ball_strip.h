@@ -30,7 +30,7 @@ namespace blossom {
 enum class SectionKind {
   Circle,     ///< the ball's
   Conic,      ///< the conic with the same ends and tangents; `rho` as in the options
-  Curvature,  ///< degree 5, with the curvatures of both surfaces across the contacts
+  Curvature,  ///< degree 5, with the curvatures of both surfaces across the contacts; no edges
   Chamfer,    ///< the chord
 };
 
@@ -45,14 +45,15 @@ struct BallStripOptions {
 
 /// How well the strip meets one of its supports.
 struct StripContactCurve {
-  /// The contact in the support's own parameters, continuous over seams; knots and multiplicities
-  /// are those of the strip.
+  /// The contact in the parameters of the support's surface, continuous over seams, (u, 0) on an
+  /// edge; knots and multiplicities are those of the strip.
   Spline2 chart;
   Spline row;  ///< the strip's border, the same knots: v = 0 or v = 1
 
-  double gap = 0;           ///< largest distance of the row from the chart's image, model units
-  bool proven = true;       ///< false: `gap` is the largest of samples only
-  double normal_angle = 0;  ///< largest of samples, radians
+  double gap = 0;      ///< largest distance of the row from the chart's image, model units
+  bool proven = true;  ///< false: `gap` is the largest of samples only
+  /// Largest of samples, radians; on an edge between the strip's normals and the ball's.
+  double normal_angle = 0;
 };
 
 /// The strip as a piece of a cylinder, cone, sphere or torus. Angles are radians, right-handed
@@ -92,8 +93,9 @@ struct BallStrip {
 /// range     inside of the track's domain; there the stretch has to be valid
 /// returns   gap, angles and section error as wanted, or less good with what was reached, when
 ///           `most_spans` is not enough
-/// throws    InvalidInput if the range is empty or leaves the domain, rho is not in (0, 1), or the
-///           balls have no envelope: |r'| >= |c'|, named with its parameter
+/// throws    InvalidInput if the range is empty or leaves the domain, rho is not in (0, 1),
+///           continuous curvature is asked for on an edge, or the balls have no envelope:
+///           |r'| >= |c'|, named with its parameter
 BallStrip ball_strip(const BallTrack& track, const Interval& range,
                      const BallStripOptions& options = {});
 

@@ -91,6 +91,12 @@ BallSupport whole_support(const BezierSurface& surface, int side) {
           side};
 }
 
+BallSupport edge_support(const BezierSurface& ruled) {
+  BallSupport support = whole_support(ruled, 1);
+  support.is_edge = true;
+  return support;
+}
+
 const char* to_string(TrackEnd end) {
   switch (end) {
     case TrackEnd::Closed: return "closed";
@@ -159,8 +165,8 @@ BallBend BallTrack::bend_near(std::size_t support, double parameter, bool after)
   const Node &from = nodes_[i], &to = nodes_[i + 1];
   const Vec4 x = hermite(from, to, (p - from.parameter) / (to.parameter - from.parameter)).value;
   const BallSupport& on = supports()[support];
-  const auto jet = offset_jet(*on.surface, cells_[i][support],
-                              chart_of(x, static_cast<int>(support)), on.side, law().at(p).value);
+  const auto jet =
+      offset_jet(on, cells_[i][support], chart_of(x, static_cast<int>(support)), law().at(p).value);
   return jet ? BallBend{jet->determinant, jet->trace} : BallBend{};
 }
 

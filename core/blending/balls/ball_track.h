@@ -8,6 +8,13 @@
 //
 // three equations for the four chart parameters, a curve that is regular wherever the images of
 // the two offsets' derivatives span space.
+//
+// In the place of a surface there may be an edge E(u) that the ball leans on: its contact is E(u),
+// and for n_i there is the unit vector m(u, v) at the angle v about the edge,
+//
+//   m = cos v e_1 + sin v e_2,   e_1 = the part of a across E', unit,   e_2 = E' x e_1 / |E'|,
+//
+// with a direction a(u) that is nowhere along E'. The offset E + r m is the pipe round the edge.
 
 #pragma once
 
@@ -34,7 +41,7 @@ struct ChartRectangle {
   Interval u, v;
 };
 
-/// One of the surfaces that a ball rolls on.
+/// One of the surfaces that a ball rolls on, or an edge.
 ///
 /// Normals have to be continuous in the part. Across a closed direction whose whole range the part
 /// has, the ball goes on: charts then leave the range by whole periods and stay continuous.
@@ -42,10 +49,16 @@ struct BallSupport {
   const BezierSurface* surface = nullptr;  ///< must outlive what is made from the support
   ChartRectangle part;                     ///< inside the knots' range
   int side = 1;                            ///< +1 or -1: the centre is at S + side r n
+  /// The surface then is E(u) + v a(u), and v in charts is the angle: radians.
+  bool is_edge = false;
 };
 
 /// The support on all of a surface.
 BallSupport whole_support(const BezierSurface& surface, int side);
+
+/// The support on an edge: E(u) + v a(u) as a surface whose v has the angles that the ball may get
+/// to.
+BallSupport edge_support(const BezierSurface& ruled);
 
 /// The guide of a variable radius: the ball of parameter x has its centre in the plane across the
 /// guide at x.
@@ -65,7 +78,8 @@ struct BallContact {
 
   /// Determinant and trace of I - s r W, W the shape operator. The ball lies locally on its side,
   /// and the contact does not stop, if and only if both are positive: then 1 - s r k > 0 for both
-  /// principal curvatures.
+  /// principal curvatures. On an edge k is its curvature in the direction of the centre, and there
+  /// is only one.
   double determinant = 1;
   double trace = 2;
 };

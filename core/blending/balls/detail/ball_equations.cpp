@@ -17,7 +17,7 @@ constexpr double kMinMinor = 1e-10;  // of F', columns relative to |S_u|: below,
 constexpr double kSettled = 4 * 0x1p-52;  // a step, relative to a coordinate or its extent
 constexpr double kAlmostSettled = 1e-9;   // then a step that is no smaller is rounding
 constexpr int kMaxSteps = 25;
-constexpr double kQuadratic = 1e-3;    // from steps that long Newton's method squares them
+constexpr double kQuadratic = 1e-3;  // from steps that long Newton's method squares them
 // A first step so short leaves its square times at most 1 / kQuadratic.
 constexpr double kShortStep = 1e-9;
 constexpr double kLostStep = 10;       // so long a one comes from a matrix without its rank
@@ -27,6 +27,8 @@ constexpr double kStray = 0.5;         // of the extents, beside a part while lo
 Vec3 normal_rate(const Vec3& rate, const Vec3& normal, double size) {
   return (rate - normal * dot(rate, normal)) * (1 / size);
 }
+
+constexpr double kNoNormal = 1e-14;  // sine of the angle between derivatives: its rounding
 
 double triple(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(cross(a, b), c); }
 
@@ -80,11 +82,38 @@ bool is_sound(const ChartRectangle& part, const BezierSurface& surface) {
 
 }  // namespace
 
+namespace {
+
+// An edge E with the frame that `ball_track.h` has, and their derivatives by u.
+std::optional<OffsetJet> pipe_jet(const BezierSurface& ruled, const ChartCell& cell, const Vec2& uv,
+                                  double radius) {
+  const PatchJet s = chart_jet(ruled, cell, {uv[0], 0}, 2);
+  const double speed = norm(s.u);
+  if (!(speed > 0)) return std::nullopt;
+  const Vec3 t = s.u * (1 / speed), t_u = normal_rate(s.uu, t, speed);
+  const double along = dot(s.v, t);
+  const Vec3 w = s.v - along * t;
+  if (!(norm(w) > kNoNormal * norm(s.v))) return std::nullopt;
+  const Vec3 w_u = s.uv - (dot(s.uv, t) + dot(s.v, t_u)) * t - along * t_u;
+  const Vec3 e1 = unit(w), e1_u = normal_rate(w_u, e1, norm(w));
+  const Vec3 e2 = cross(t, e1), e2_u = cross(t_u, e1) + cross(t, e1_u);
+  const double c = std::cos(uv[1]), d = std::sin(uv[1]);
+  OffsetJet o{s.point, s.u, {}, c * e1 + d * e2, {}, {}, {}};
+  o.offset = s.point + radius * o.normal;
+  o.by_u = s.u + radius * (c * e1_u + d * e2_u);
+  o.by_v = radius * (c * e2 - d * e1);
+  o.determinant = dot(o.by_u, t) / speed;
+  o.trace = 1 + o.determinant;
+  o.sizes = {speed, radius};
+  return o;
+}
+
+}  // namespace
+
 std::optional<OffsetJet> offset_jet(const BezierSurface& surface, const ChartCell& cell,
                                     const Vec2& uv, int side, double radius) {
   const PatchJet s = chart_jet(surface, cell, uv, 2);
   const Vec3 across = cross(s.u, s.v);
-  constexpr double kNoNormal = 1e-14;  // sine of the angle between both: its rounding
   const double size = norm(across);
   if (!(size > kNoNormal * norm(s.u) * norm(s.v))) return std::nullopt;
   const Vec3 n = across * (1 / size);
@@ -94,7 +123,14 @@ std::optional<OffsetJet> offset_jet(const BezierSurface& surface, const ChartCel
   OffsetJet o{s.point, s.u, s.v, side * n, s.point + d * n, s.u + d * n_u, s.v + d * n_v};
   o.determinant = triple(o.by_u, o.by_v, n) / size;
   o.trace = (triple(o.by_u, s.v, n) + triple(s.u, o.by_v, n)) / size;
+  o.sizes = {norm(s.u), norm(s.v)};
   return o;
+}
+
+std::optional<OffsetJet> offset_jet(const BallSupport& support, const ChartCell& cell,
+                                    const Vec2& uv, double radius) {
+  if (support.is_edge) return pipe_jet(*support.surface, cell, uv, radius);
+  return offset_jet(*support.surface, cell, uv, support.side, radius);
 }
 
 BallSystem::BallSystem(const std::array<BallSupport, 2>& supports, RadiusLaw law,
@@ -110,8 +146,7 @@ BallSystem::BallSystem(const std::array<BallSupport, 2>& supports, RadiusLaw law
 std::optional<std::array<OffsetJet, 2>> BallSystem::jets(const Vec4& x, const BallCells& cells,
                                                          double radius) const {
   const auto one = [&](std::size_t k) {
-    return offset_jet(*supports_[k].surface, cells[k], chart_of(x, static_cast<int>(k)),
-                      supports_[k].side, radius);
+    return offset_jet(supports_[k], cells[k], chart_of(x, static_cast<int>(k)), radius);
   };
   const auto a = one(0), b = one(1);
   if (!a || !b) return std::nullopt;
@@ -136,8 +171,8 @@ std::optional<Vec4> BallSystem::rate(const std::array<OffsetJet, 2>& side, doubl
     if (!solve<4>(matrix_of(columns, plane_row(plane.normal, side[0])), y)) return std::nullopt;
     return y;
   }
-  const std::array<double, 4> sizes{norm(side[0].u), norm(side[0].v), norm(side[1].u),
-                                    norm(side[1].v)};
+  const std::array<double, 4> sizes{side[0].sizes[0], side[0].sizes[1], side[1].sizes[0],
+                                    side[1].sizes[1]};
   for (std::size_t k = 0; k < 4; ++k) columns[k] *= 1 / sizes[k];
   const auto& c = columns;
   Vec4 kernel{triple(c[1], c[2], c[3]), -triple(c[0], c[2], c[3]), triple(c[0], c[1], c[3]),

@@ -17,18 +17,23 @@
 
 namespace blossom {
 
-/// A surface and its offset at a point, O = S + r m.
+/// A surface and its offset at a point, O = S + r m; an edge and its pipe.
 struct OffsetJet {
-  Vec3 point, u, v;         ///< S, S_u, S_v
+  Vec3 point, u, v;         ///< S, S_u, S_v; E, E', 0
   Vec3 normal;              ///< m, unit
   Vec3 offset, by_u, by_v;  ///< O, O_u, O_v
   double determinant = 1;   ///< of I - s r W
   double trace = 2;
+  Vec2 sizes{};  ///< lengths that derivatives of the offset are compared with, none 0
 };
 
 /// Nothing where S_u x S_v vanishes.
 std::optional<OffsetJet> offset_jet(const BezierSurface& surface, const ChartCell& cell,
                                     const Vec2& uv, int side, double radius);
+
+/// Likewise of a support; of an edge nothing where the direction a is along it, or it stands still.
+std::optional<OffsetJet> offset_jet(const BallSupport& support, const ChartCell& cell,
+                                    const Vec2& uv, double radius);
 
 /// A plane that moves: points of it are those with (X - point).normal = 0.
 struct MovingPlane {
