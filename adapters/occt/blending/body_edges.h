@@ -66,6 +66,13 @@ class BodyEdges {
   /// throws   BadModel, naming the edge, unless it has just these two
   const EdgeUseInFace& use(int edge, bool forward) const;
 
+  /// The use of an edge by the face on the other side of it.
+  const EdgeUseInFace& behind(const EdgeUseInFace& of) const { return use(of.edge, !of.forward); }
+  /// The use of an edge by a face that has it once.
+  const EdgeUseInFace& use_in(int edge, int face) const {
+    return use(edge, use(edge, true).face == face);
+  }
+
   /// All edges round a vertex, beginning with the given one; between each and the next the face
   /// that lies to the left of the one, as seen from outside, walking away from the vertex.
   /// Edges without length are left out.

@@ -9,14 +9,23 @@
 #include <utility>
 #include <vector>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepGProp_Face.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeHalfSpace.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
 
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
 #include "tests/adapters/occt/fillet_checks.h"
@@ -123,31 +132,116 @@ TEST(FilletAtACliff, OfALargeBallLeansOnTheEndOfTheFloorToo) {
   EXPECT_NE(made.notes.front().find(" and on edge "), std::string::npos) << made.notes.front();
 }
 
-// The upper face rises from the edge, so the ball meets it there and not the edge.
-TEST(FilletAtACliff, IsRefusedWhereTheBallMeetsTheFaceBehind) {
-  BRepBuilderAPI_MakePolygon outline;
-  for (const auto& [x, z] : {std::pair{-10.0, -5.0},
-                             {20.0, -5.0},
-                             {20.0, 0.0},
-                             {0.0, 0.0},
-                             {0.0, 2.0},
-                             {-1.0, 4.0},
-                             {-10.0, 9.0}})
-    outline.Add(gp_Pnt(x, 0, z));
-  outline.Close();
-  const TopoDS_Shape shape =
-      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 10, 0))
-          .Shape();
+// A prism over an outline in x and z, 10 long.
+TopoDS_Shape prism(const std::vector<std::pair<double, double>>& outline) {
+  BRepBuilderAPI_MakePolygon polygon;
+  for (const auto& [x, z] : outline) polygon.Add(gp_Pnt(x, 0, z));
+  polygon.Close();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon.Wire()).Face(), gp_Vec(0, 10, 0))
+      .Shape();
+}
+
+using Outline = std::vector<std::pair<double, double>>;
+
+// A floor, a wall of height 2, and two slopes behind it.
+const Outline kSlopes{{-10, -5}, {20, -5}, {20, 0}, {0, 0}, {0, 2}, {-1, 4}, {-10, 9}};
+
+// Between the floor, a ball on it with its centre c from the wall, and the corners of the wall up
+// to its last contact, seen along the edge; the ball touches there.
+double under_ball(double r, const Outline& corners) {
+  const auto [last_x, last_z] = corners.back();
+  const double c = last_x + std::sqrt(last_z * (2 * r - last_z));
+  double area = 0;  // of the polygon from the floor's contact over the corners and the centre
+  Outline around{{c, 0}};
+  for (const auto& each : corners) around.push_back(each);
+  around.emplace_back(c, r);
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const auto& [x, z] = around[i];
+    const auto& [next_x, next_z] = around[(i + 1) % around.size()];
+    area += 0.5 * (next_x * z - x * next_z);
+  }
+  return area - 0.5 * r * r * std::acos((r - last_z) / r);
+}
+
+// The ball leans on the wall's upper edge until it touches the slope, on which it rolls until it
+// comes to its end; there it leans on that.
+TEST(FilletAtACliff, OfAWallThatIsBentRollsOnOverTheSlopesBehind) {
+  const TopoDS_Shape shape = prism(kSlopes);
   const int edge = edge_where(shape, {0, 5, 0});
-  const FilletResult small = fillet(shape, {edge}, {.radius = 2.5});
-  expect_sound(small);
-  EXPECT_NEAR(more_in(small), 10 * Corner(2.5, 2).area, 1e-9);
-  const FilletResult large = fillet(shape, {edge}, {.radius = 8});
-  EXPECT_TRUE(large.solids.empty());
-  ASSERT_EQ(large.refused.size(), 1U);
-  // The normals of the slope and of the ball at the edge agree at 2 / (1 - 1 / sqrt(5)).
-  EXPECT_NEAR(large.refused.front().largest.value_or(0), 2 / (1 - 1 / std::sqrt(5.0)), 0.04)
-      << told(large);
+  const double cosine = 1 / std::sqrt(5.0);  // of the slope
+  for (const double r : {2.5, 5.0, 8.0}) {
+    const FilletResult made = fillet(shape, {edge}, {.radius = r});
+    expect_sound(made);
+    // The normals of the slope and of the ball agree at the edge of 2 / (1 - cosine) = 3.6, and at
+    // its end for 4 / (1 - cosine) = 7.2.
+    const double height = r * (1 - cosine);
+    const std::pair end = r < 3.6   ? std::pair{0.0, 2.0}
+                          : r < 7.2 ? std::pair{1 - height / 2, height}
+                                    : std::pair{-1.0, 4.0};
+    Outline corners{{0, 0}, {0, 2}, end};
+    EXPECT_NEAR(more_in(made), 10 * under_ball(r, corners), 1e-7) << r;
+  }
+}
+
+// A wall on a floor that bends down by 7.5 degrees along a line askew to the wall: 0.5 from it at
+// one end, 1.5 at the other. The bend is at a right angle to no end.
+TopoDS_Shape bent_floor() {
+  const gp_Pnt from(0.5, 0, 0);
+  const gp_Vec along(1, 10, 0);
+  const double fall = std::tan(7.5 * std::numbers::pi / 180);
+  const gp_Vec down = gp_Vec(10, -1, 0).Normalized() + gp_Vec(0, 0, -fall);
+  const TopoDS_Face slope =
+      BRepBuilderAPI_MakeFace(gp_Pln(from, gp_Dir(down.Crossed(along)))).Face();
+  const TopoDS_Shape above = BRepPrimAPI_MakeHalfSpace(slope, gp_Pnt(5, 5, 5)).Solid();
+  const TopoDS_Shape floor =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-3, 0, -5), gp_Pnt(10, 10, 0)).Shape(), above);
+  return BRepAlgoAPI_Fuse(floor, BRepPrimAPI_MakeBox(gp_Pnt(-3, 0, -1), gp_Pnt(0, 10, 5)).Shape())
+      .Shape();
+}
+
+// The largest difference from r of the least distances of centres from a body: of balls of radius r
+// that touch the new faces from outside of the material.
+double off_balls(const FilletResult& made, const TopoDS_Shape& body, double r) {
+  TopoDS_Compound faces;
+  BRep_Builder().MakeCompound(faces);
+  for (TopExp_Explorer it(body, TopAbs_FACE); it.More(); it.Next())
+    BRep_Builder().Add(faces, it.Current());
+  double worst = 0;
+  for (const FilletFace& each : made.solids.front().faces) {
+    if (each.from > 0) continue;
+    const ParameterBox box = parameter_box(each.face);
+    for (const double u : {0.1, 0.5, 0.9})
+      for (const double v : {0.25, 0.75}) {
+        BRepGProp_Face surface(each.face);
+        gp_Pnt point;
+        gp_Vec normal;
+        surface.Normal(at(box.u, u), at(box.v, v), point, normal);
+        const gp_Pnt centre = point.Translated(r * normal.Normalized());
+        const BRepExtrema_DistShapeShape to(BRepBuilderAPI_MakeVertex(centre).Vertex(), faces);
+        worst = std::max(worst, std::abs(to.Value() - r));
+      }
+  }
+  return worst;
+}
+
+// The contact comes to the bend, goes along it, and on over the slope behind; the middle of the
+// edge is before, beside or behind that.
+TEST(FilletAtACliff, GoesAlongABendOfTheFloorAndOnBehindIt) {
+  const TopoDS_Shape shape = bent_floor();
+  const TopoDS_Shape mould =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-3, 0, -5), gp_Pnt(10, 10, 5)).Shape(), shape);
+  const int edge = edge_where(shape, {0, 5, 0}), counterpart = edge_where(mould, {0, 5, 0});
+  for (const double r : {0.4, 0.95, 1.02, 1.45, 3.0}) {
+    const FilletResult made = fillet(shape, {edge}, {.radius = r});
+    expect_sound(made);
+    if (made.solids.empty()) continue;
+    EXPECT_LE(off_balls(made, shape, r), 1e-6) << r;
+    EXPECT_EQ(made.notes.empty(), r < 0.5 || r > 1.6) << r;
+    const FilletResult inside_out = fillet(mould, {counterpart}, {.radius = r});
+    expect_sound(inside_out);
+    if (inside_out.solids.empty()) continue;
+    EXPECT_NEAR(more_in(made), -more_in(inside_out), 1e-7) << r;
+  }
 }
 
 // What a ball of radius 2 leaves round a post of radius 5 over a square plate, by sums over angles

@@ -117,7 +117,12 @@ BlendSheet::BlendSheet(const BodyEdges& body, double tolerance, bool is_chamfer,
 
 void BlendSheet::add(const BallWalk& walk) {
   const std::size_t first = strips_.size(), count = walk.strips.size();
-  for (const WalkedStrip& each : walk.strips) strips_.push_back({each.strip, each.inside, {}, {}});
+  for (const WalkedStrip& each : walk.strips) {
+    strips_.push_back({each.strip, each.inside, {}, {}});
+    // The contact takes the place of what the ball leans on.
+    for (const int edge : each.strip.held)
+      if (edge > 0) border_.filleted.push_back(edge);
+  }
   for (const RunEdge& each : walk.run.edges) {
     filleted_.insert(each.edge);
     border_.filleted.push_back(each.edge);

@@ -219,7 +219,9 @@ Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   for (const BallWalk& walk : walks_or_rolled(edges)) {
     sheet.add(walk);
     for (const WalkedStrip& each : walk.strips)
-      if (const std::string text = held_text(each.strip); !text.empty()) notes_.push_back(text);
+      if (const std::string text = held_text(each.strip);
+          !text.empty() && std::ranges::count(notes_, text) == 0)
+        notes_.push_back(text);
   }
   tick();
   sheet.build();

@@ -26,7 +26,9 @@ struct EdgeCut {
 
 /// The border of a sheet as edges see it.
 struct SheetBorder {
-  std::vector<int> filleted;  ///< edges that go, but for what cuts keep of them
+  /// Edges that go, but for what cuts keep of them: filleted ones, and those that others take the
+  /// place of.
+  std::vector<int> filleted;
   std::vector<EdgeCut> cuts;
   std::vector<TopoDS_Vertex> vertices;  ///< of the body, at which the border ends
 };

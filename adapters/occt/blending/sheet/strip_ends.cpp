@@ -240,6 +240,7 @@ bool BlendSheet::takes_over(const Ring& ring, int taking, int giving, int edge,
   const Interval piece = at_start ? Interval{range.from, place} : Interval{place, range.to};
   const double reach =
       kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(cut), BRep_Tool::Tolerance(corner)});
+  if (distance(vec(curve->Value(place)), point_of(cut)) > reach) return false;
   Handle(Geom2d_Curve) on_taking;
   try {
     const SurfaceProjector feet(body_.face(taking), Precision::Confusion());
@@ -282,9 +283,16 @@ void BlendSheet::cap(const Ring& ring) {
   TopoDS_Vertex from = left.vertex;
   double w = strip_of(half).strip.contacts[left_side(half)].w;
   if (face != last && !turns_back(ring, true) && !turns_back(ring, false)) {
-    if (takes_over(ring, face, last, left_at, right.vertex))
+    // Of a face over which the ball leans on an edge nothing is left here, nor of its border.
+    const std::array<int, 2>& held = strip_of(half).strip.held;
+    const int on_left = held[left_side(half)] > 0 ? ring[1].half.edge : entered;
+    const int on_right = held[right_side(half)] > 0 ? ring.back().half.edge : left_at;
+    for (const bool is_left : {true, false})
+      if (held[is_left ? left_side(half) : right_side(half)] > 0)
+        border_.filleted.push_back(is_left ? on_left : on_right);
+    if (takes_over(ring, face, last, on_right, right.vertex))
       last = face;
-    else if (takes_over(ring, last, face, entered, left.vertex))
+    else if (takes_over(ring, last, face, on_left, left.vertex))
       face = last;
   }
   for (int count = 0; face != last; ++count) {

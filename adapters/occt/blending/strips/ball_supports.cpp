@@ -4,11 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <gp_Vec.hxx>
+#include <math_Jacobi.hxx>
+#include <math_Matrix.hxx>
+#include <math_Vector.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/surface_projector.h"
@@ -23,6 +30,7 @@ constexpr double kSupportWidths = 2.5;  // widths
 constexpr double kMaxSpans = 2;
 // Of the face's box: how far surfaces that have more of them are taken beyond the trims.
 constexpr double kRoom = 0.5;
+constexpr int kTangents = 32;  // of an edge, to find a direction across it
 
 // The length of the outer patches on a side, across it, model units.
 double outer_length(const BezierSurface& surface, bool in_u, bool first) {
@@ -111,6 +119,45 @@ Vec2 near_range(const Handle(Geom_Surface) & surface, const BezierSurface& conve
   return chart;
 }
 
+// The direction that is most across all of a curve: where the sum of the squares of its tangents'
+// parts along it is least.
+Vec3 across_curve(const Handle(Geom_Curve) & curve, const Interval& range) {
+  math_Matrix squares(1, 3, 1, 3, 0.0);
+  for (int i = 0; i <= kTangents; ++i) {
+    const gp_Vec rate = curve->DN(at(range, static_cast<double>(i) / kTangents), 1);
+    const Vec3 t = unit(Vec3{rate.X(), rate.Y(), rate.Z()});
+    for (int k = 0; k < 3; ++k)
+      for (int m = 0; m < 3; ++m) squares(k + 1, m + 1) += t[k] * t[m];
+  }
+  const math_Jacobi parts(squares);
+  int least = 1;
+  for (int k = 2; k <= 3; ++k)
+    if (parts.Value(k) < parts.Value(least)) least = k;
+  math_Vector direction(1, 3);
+  parts.Vector(least, direction);
+  return unit(Vec3{direction(1), direction(2), direction(3)});
+}
+
+// An edge, and the angle about it of a ball near to its parameter x.
+RolledSupport held_support(const BodyEdges& body, int edge, double x, const Vec3& centre) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(body.edge(edge), range.from, range.to);
+  gp_Pnt point;
+  gp_Vec rate;
+  curve->D1(x, point, rate);
+  const Vec3 to_centre = centre - vec(point.XYZ()), along = unit(vec(rate.XYZ()));
+  Vec3 across = across_curve(curve, range);
+  if (dot(across, to_centre) < 0) across = -across;
+  const Vec3 e1 = unit(across - dot(across, along) * along), e2 = cross(along, e1);
+  RolledSupport made;
+  made.is_edge = true;
+  made.surface = bezier_surface(new Geom_SurfaceOfLinearExtrusion(curve, dir(across)),
+                                {range, {-std::numbers::pi, std::numbers::pi}});
+  made.start = {x, std::atan2(dot(to_centre, e2), dot(to_centre, e1))};
+  made.at_edge = made.start;
+  return made;
+}
+
 }  // namespace
 
 RolledSupports rolled_supports(const BodyEdges& body, int edge, bool concave, double radius) {
@@ -135,8 +182,12 @@ RolledSupports supports_at(const BodyEdges& body, const BallPlace& place, bool c
   made.middle = place.centre;
   made.width = radius;
   for (const std::size_t k : {0U, 1U}) {
-    const TopoDS_Face& face = body.face(place.faces[k]);
     RolledSupport& of = made.of[k];
+    if (place.held[k] > 0) {
+      of = held_support(body, place.held[k], place.held_at[k], place.centre);
+      continue;
+    }
+    const TopoDS_Face& face = body.face(place.faces[k]);
     of.surface = surface_beyond(face, kSupportWidths * radius);
     of.start = near_range(BRep_Tool::Surface(face), of.surface, place.charts[k]);
     of.at_edge = of.start;

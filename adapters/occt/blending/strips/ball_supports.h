@@ -12,15 +12,18 @@
 namespace blossom::occt {
 
 /// One of the faces: its surface beyond the trims, as far as there is more of it, and past natural
-/// borders as its outer patches go on.
+/// borders as its outer patches go on. Or an edge on which the ball leans, with the angle about it.
 struct RolledSupport {
   BezierSurface surface;
   Vec2 at_edge;  ///< the edge's middle, in the surface's parameters
   Vec2 start;    ///< where a ball touches about
   int side = 1;  ///< of du x dv, on which the ball is
+  bool is_edge = false;
 
   /// Refers to the surface.
-  BallSupport whole() const { return whole_support(surface, side); }
+  BallSupport whole() const {
+    return is_edge ? edge_support(surface) : whole_support(surface, side);
+  }
 };
 
 struct RolledSupports {
@@ -39,6 +42,10 @@ struct BallPlace {
   Vec3 centre;
   Vec3 along;            ///< the way it goes, unit; the first face is to the left of it
   bool as_loop = false;  ///< whether a way that comes back to it is wanted whole
+  /// The edges on which it leans in place of touching the faces, or 0. The face then is that behind
+  /// the edge.
+  std::array<int, 2> held{};
+  std::array<double, 2> held_at{};  ///< parameters of these edges, about where it does
 };
 
 /// The same for two faces that need not have an edge in common; `middle` is the ball's centre.

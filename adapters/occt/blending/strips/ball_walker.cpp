@@ -94,11 +94,12 @@ bool BallWalker::is_past_end(const Vec3& centre) const {
   return past;
 }
 
-// The crossings at notches that are beside the run: the ball rolls over them.
+// The crossings at notches that are beside the run: the ball rolls over them, but leans on a bend.
 std::vector<Notch> BallWalker::notches_beside(const WalkedStrip& of, std::size_t contact,
                                               const std::vector<ContactCrossing>& crossed) const {
   std::vector<Notch> all = notches(body_, of.strip, contact, crossed);
   std::erase_if(all, [&](const Notch& each) {
+    if (holds(of, each.leaves.t, each.leaves) && holds(of, each.enters.t, each.enters)) return true;
     return is_past_end(vec(of.strip.spine->Value(each.leaves.t).XYZ())) ||
            is_past_end(vec(of.strip.spine->Value(each.enters.t).XYZ()));
   });
@@ -130,15 +131,19 @@ std::optional<ContactCrossing> BallWalker::first_crossing(const WalkedStrip& of,
   return best;
 }
 
-double BallWalker::reach_at(const WalkExit& exit) const {
+// Where strips end at an edge, or lean on one, they are as near to each other as it is to its
+// faces.
+double BallWalker::reach_at(const WalkedStrip& of, const WalkExit& exit) const {
   double reach = options_.tolerance;
-  for (const auto& each : exit.over) {
-    if (!each) continue;
-    const TopoDS_Edge edge = body_.edge(each->use->edge);
-    reach = std::max({reach, BRep_Tool::Tolerance(edge),
-                      BRep_Tool::Tolerance(TopExp::FirstVertex(edge)),
-                      BRep_Tool::Tolerance(TopExp::LastVertex(edge))});
-  }
+  for (const std::size_t side : {0U, 1U})
+    for (const int number :
+         {exit.over[side] ? exit.over[side]->use->edge : 0, exit.held[side], held_by(of)[side]}) {
+      if (number == 0) continue;
+      const TopoDS_Edge edge = body_.edge(number);
+      reach = std::max({reach, BRep_Tool::Tolerance(edge),
+                        BRep_Tool::Tolerance(TopExp::FirstVertex(edge)),
+                        BRep_Tool::Tolerance(TopExp::LastVertex(edge))});
+    }
   return kSamePlace * reach;
 }
 
@@ -178,14 +183,14 @@ bool BallWalker::grow_past(WalkedStrip& of, double t, int ahead) const {
 WalkExit BallWalker::over_edges(const WalkedStrip& of, std::size_t side,
                                 const ContactCrossing& first,
                                 const std::optional<ContactCrossing>& other) const {
-  WalkExit found{first.t};
+  WalkExit found{first.t, {}, false, 0, held_by(of)};
   found.over[side] = first;
   if (!other || !is_smooth_at(body_, *other)) return found;
   WalkExit both = found;
   both.over[1 - side] = other;
   const double speed =
       of.strip.contacts[contact_at(of, 1 - side)].curve->DN(found.t, 1).Magnitude();
-  return std::abs(other->t - found.t) * speed <= reach_at(both) ? both : found;
+  return std::abs(other->t - found.t) * speed <= reach_at(of, both) ? both : found;
 }
 
 // Where the ball goes on over another face, or along the next edge of the same faces.
@@ -205,8 +210,12 @@ WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double f
       first[k] = first_crossing(of, k, from, ahead, entered[k]);
       if (first[k] && (!side || is_nearer(first[k]->t, first[*side]->t))) side = k;
     }
+    const auto off = off_edge(of, from, ahead);
+    if (off && (!side || is_nearer(off->t, first[*side]->t))) return *off;
     if ((goes_on_alike || ends_shared) && (!side || !is_nearer(first[*side]->t, edge_end)))
       return {edge_end, {}, ends_shared};
+    if (side && holds(of, first[*side]->t, *first[*side]))
+      return onto_edge(of, *side, *first[*side], step);
     if (side && !is_smooth_at(body_, *first[*side])) {
       if (may_grow_past && !first[1 - *side] && grow_past(of, first[*side]->t, ahead)) {
         may_grow_past = false;
@@ -249,8 +258,13 @@ WalkedStrip BallWalker::pair_strip(const WalkedStrip& of, const WalkExit& exit,
   gp_Vec rate;
   of.strip.spine->D1(exit.t, centre, rate);
   const double sign = of.forward ? 1 : -1;
-  BallPlace ball{faces, {}, vec(centre.XYZ()), sign * unit(vec(rate.XYZ())), as_loop};
+  BallPlace ball{faces, {}, vec(centre.XYZ()), sign * unit(vec(rate.XYZ())), as_loop, exit.held};
   for (const std::size_t side : {0U, 1U}) {
+    if (exit.held[side] > 0) {
+      const gp_Pnt contact = of.strip.contacts[contact_at(of, side)].curve->Value(exit.t);
+      ball.held_at[side] = nearest_on_edge(body_, exit.held[side], vec(contact));
+      continue;
+    }
     const gp_Pnt2d uv = of.strip.contacts[contact_at(of, side)].chart->Value(exit.t);
     ball.charts[side] = {uv.X(), uv.Y()};
     const auto& over = exit.over[side];
@@ -263,8 +277,7 @@ WalkedStrip BallWalker::pair_strip(const WalkedStrip& of, const WalkExit& exit,
   const auto profile = profiles_.everywhere();
   if (!profile)
     refuse(FilletFault::End, place,
-           "it goes over smooth edges beside it, which only fillets of one radius can",
-           ball.centre);
+           "it goes over edges beside it, which only fillets of one radius can", ball.centre);
   return {traced_strip(body_, ball, run_.edges[place].edge, run_.concave, *profile), true, 0,
           false};
 }
@@ -365,14 +378,15 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
            "the edge becomes smooth at its end: a strip that narrows to a point there "
            "cannot be built yet",
            centre);
-  const double reach = reach_at(exit);
+  const double reach = reach_at(of, exit);
   double t = 0;
-  if (run_.closed && is_start(faces)) {
+  if (run_.closed && is_start(faces, exit.held)) {
     WalkedStrip known = *behind_;
     came_back_ = reaches(known, centre, reach, t);
     if (came_back_) return {std::move(known), t};
   }
-  if (const auto there = place_with(faces, place, step)) {
+  const bool leans = exit.held != std::array<int, 2>{};
+  if (const auto there = leans ? std::nullopt : place_with(faces, place, step)) {
     auto known = strip_if_any(*there);
     if (known && !known->strip.closed && reaches(*known, centre, reach, t)) {
       place = *there;
@@ -405,7 +419,7 @@ BallWalker::Part BallWalker::way(WalkedStrip& from, std::size_t place, int step)
     }
     auto [next, begin] = following(*of, found, place, step);
     for (const std::size_t side : {0U, 1U})
-      entered[side] = found.over[side] ? found.over[side]->use->edge : 0;
+      entered[side] = found.over[side] ? found.over[side]->use->edge : held_by(*of)[side];
     t = next.inside = begin;
     part.emplace_back(WalkJoint{found.t, begin, found.over}, std::move(next));
     of = &part.back().second;
@@ -418,6 +432,7 @@ BallWalker::Part BallWalker::way(WalkedStrip& from, std::size_t place, int step)
 // A strip that comes back to where it began; only as long as the ball rolls round in it.
 BallWalk BallWalker::round(WalkedStrip strip) const {
   const auto beside = [&](std::size_t place) {
+    if (strip.of_edge && strip.strip.edge == run_.edges[place].edge) return true;
     auto faces = faces_of(place);
     std::ranges::sort(faces);
     std::array own{strip.strip.contacts[0].face, strip.strip.contacts[1].face};

@@ -25,12 +25,21 @@ inline std::size_t contact_at(const WalkedStrip& of, std::size_t walking_side) {
   return of.forward ? walking_side : 1 - walking_side;
 }
 
+/// The parameter of the point of an edge that is nearest to a point.
+double nearest_on_edge(const BodyEdges& body, int edge, const Vec3& point);
+
+/// The edges on which the ball leans, to the left and right of the way.
+inline std::array<int, 2> held_by(const WalkedStrip& of) {
+  return {of.strip.held[contact_at(of, 0)], of.strip.held[contact_at(of, 1)]};
+}
+
 /// Where the ball leaves a strip for the next one.
 struct WalkExit {
   double t = 0;
   std::array<std::optional<ContactCrossing>, 2> over{};  // by walking side
   bool ends = false;                                     // the walk does, and nothing follows
   int sharp_edge = 0;                                    // at which it ends, if at one
+  std::array<int, 2> held{};                             // edges on which the ball leans behind it
 };
 
 class BallWalker {
@@ -63,7 +72,18 @@ class BallWalker {
   std::optional<ContactCrossing> border_between(int face, const Vec2& from, const Vec2& to,
                                                 int entered) const;
   std::optional<WalkedStrip> start_behind(std::size_t place);
-  bool is_start(const std::array<int, 2>& faces) const;
+  bool is_start(const std::array<int, 2>& faces, const std::array<int, 2>& held) const;
+  bool holds(const WalkedStrip& of, double t, const ContactCrossing& over) const;
+  bool is_end_edge(int edge) const;
+  double turned_past(const WalkedStrip& of, std::size_t side, const EdgeUseInFace& use,
+                     double t) const;
+  WalkExit onto_edge(const WalkedStrip& of, std::size_t side, const ContactCrossing& at,
+                     int step) const;
+  std::optional<double> turns_onto(const WalkedStrip& of, std::size_t side,
+                                   const EdgeUseInFace& use, const Interval& way) const;
+  std::optional<WalkExit> off_edge(const WalkedStrip& of, double from, int ahead) const;
+  bool start_over(const WalkedStrip& of, std::size_t side, const Vec2& from, int entered,
+                  WalkExit& over) const;
   Part way(WalkedStrip& from, std::size_t place, int step);
   WalkExit exit(WalkedStrip& of, std::size_t place, int step, double from,
                 const std::array<int, 2>& entered);
@@ -82,7 +102,7 @@ class BallWalker {
   WalkExit over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
                       const std::optional<ContactCrossing>& other) const;
   bool reaches(WalkedStrip& next, const Vec3& centre, double reach, double& t) const;
-  double reach_at(const WalkExit& exit) const;
+  double reach_at(const WalkedStrip& of, const WalkExit& exit) const;
   std::pair<WalkedStrip, double> following(const WalkedStrip& of, const WalkExit& exit,
                                            std::size_t& place, int step);
   BallWalk round(WalkedStrip strip) const;

@@ -110,8 +110,7 @@ std::string held_text(const RolledStrip& strip) {
     if (strip.held[side] > 0)
       text += (text.empty() ? "edge " + std::to_string(strip.edge) + ": the ball leans on edge "
                             : " and on edge ") +
-              std::to_string(strip.held[side]) + ", as face " +
-              std::to_string(strip.contacts[side].face) + " is too narrow for it";
+              std::to_string(strip.held[side]) + ", as the face before it is too narrow";
   return text;
 }
 

@@ -60,7 +60,8 @@ struct RolledStrip {
   std::array<RolledContact, 2> contacts;  ///< of the face to the left of the forward edge, right
   Interval range;                         ///< of t; further than the edge where it is open
   Interval edge_range;                    ///< t of the sections through the edge's ends
-  /// The edges on which the ball leans in place of touching a face, by contact; 0: it touches.
+  /// The edges on which the ball leans in place of touching a face, by contact; 0: it touches. The
+  /// contact then runs along the edge, as a curve of the face that stays behind it.
   std::array<int, 2> held{};
 
   /// The same strip over another range inside of `most`; none where the range is all there is.

@@ -12,6 +12,7 @@
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Precision.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
@@ -23,9 +24,12 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/strips/ball_supports.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/convert/curves.h"
+#include "adapters/occt/faces/surface_projector.h"
+#include "adapters/occt/splitting/edge_images.h"
 #include "core/blending/balls/ball_spine.h"
 #include "core/blending/balls/ball_strip.h"
 #include "core/blending/balls/ball_track.h"
@@ -139,8 +143,9 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
   StripProfile profile;
   double radius;  // the largest
   std::array<int, 2> faces{};
-  std::array<Vec2, 2> near;  // where the contacts' charts are to be
-  double near_at = 0;        // the track's parameter there
+  std::array<int, 2> held{};  // edges on which it leans in place of them
+  std::array<Vec2, 2> near;   // where the contacts' charts are to be
+  double near_at = 0;         // the track's parameter there
   RolledSupports supports;
   std::optional<BallTrack> track;
   mutable std::shared_ptr<StripMaker> strips;  // along it
@@ -156,6 +161,7 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
   void start_by_law(const Interval& domain);
   void find_valid(double parameter);
   void check_reach(double end, const Vec3& vertex, double room) const;
+  void put_on_face(std::size_t k, RolledStrip& strip) const;
   RolledStrip strip(const Interval& range) const;
   RolledStrip beside_edge(double beyond);
   Interval way_apart() const;
@@ -230,6 +236,23 @@ void Tracing::check_reach(double end, const Vec3& vertex, double room) const {
          ball.contacts[0].point);
 }
 
+// The chart of a contact along an edge in the face behind that.
+void Tracing::put_on_face(std::size_t k, RolledStrip& strip) const {
+  RolledContact& contact = strip.contacts[k];
+  const TopoDS_Edge along = body.edge(held[k]);
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(along, range.from, range.to);
+  const gp_Pnt middle = contact.curve->Value(at(strip.range, 0.5));
+  const Vec2 chart = point_at(body.use_in(held[k], contact.face).coedge->curve,
+                              nearest_on(curve, range, {middle.X(), middle.Y(), middle.Z()}));
+  const Vec2 scale = body.trims(contact.face).scale;
+  const SurfaceProjector feet(body.face(contact.face), Precision::Confusion());
+  contact.chart =
+      image_of(contact.curve, strip.range, feet, Vec2{chart[0] / scale[0], chart[1] / scale[1]},
+               kSamePlace * std::max(Precision::Confusion(), BRep_Tool::Tolerance(along)))
+          .chart;
+}
+
 RolledStrip Tracing::strip(const Interval& wanted) const {
   const Interval range = turned ? Interval{-wanted.to, -wanted.from} : wanted;
   BallStripOptions options;
@@ -249,9 +272,11 @@ RolledStrip Tracing::strip(const Interval& wanted) const {
   strip.range = range;
   strip.edge_range = edge_range;
   strip.most = valid;
+  strip.held = held;
   for (const std::size_t k : {0U, 1U}) {
     strip.contacts[k] = {faces[k], to_occt(made.contacts[k].row), to_occt(made.contacts[k].chart),
                          static_cast<double>(k)};
+    if (held[k] > 0) continue;
     shift_near(BRep_Tool::Surface(body.face(faces[k])), near[k],
                std::clamp(near_at, range.from, range.to), strip.contacts[k]);
   }
@@ -259,6 +284,8 @@ RolledStrip Tracing::strip(const Interval& wanted) const {
   // their range: where it ends at 0, Open CASCADE's readers can take the seam's one side for the
   // other and lose an edge.
   if (turned) turn_round(strip, made.closed ? range.from + range.to : 0);
+  for (const std::size_t k : {0U, 1U})
+    if (held[k] > 0) put_on_face(k, strip);
   if (!strip.closed)
     strip.over = [self = shared_from_this()](const Interval& part) { return self->strip(part); };
   return strip;
@@ -386,6 +413,7 @@ RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge
   const double radius = of->radius;
   of->supports = supports_at(body, place, concave, radius);
   of->faces = place.faces;
+  of->held = place.held;
   of->near = place.charts;
   of->start({of->supports.of[0].whole(), of->supports.of[1].whole()});
   const BallTrack& track = *of->track;

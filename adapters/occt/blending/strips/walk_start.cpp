@@ -61,9 +61,36 @@ std::optional<ContactCrossing> BallWalker::border_between(int face, const Vec2& 
   return first;
 }
 
-// The ball beside the middle of an edge, whose contacts lie beyond smooth borders of its faces: on
-// the faces behind them, one after the other. Nothing if a border is sharp, or none is met, or no
-// ball of one radius rolls.
+// What the ball at the beginning of a strip has to go over to touch what is there; `ends` stays
+// true while there is nothing. False if that cannot be gone over.
+bool BallWalker::start_over(const WalkedStrip& of, std::size_t side, const Vec2& from, int entered,
+                            WalkExit& over) const {
+  const RolledContact& contact = of.strip.contacts[contact_at(of, side)];
+  if (const int edge = held_by(of)[side]; edge > 0) {
+    const EdgeUseInFace& own = body_.use_in(edge, contact.face);
+    if (turned_past(of, side, body_.behind(own), of.inside) > 0) return false;
+    if (turned_past(of, side, own, of.inside) <= 0) return true;
+    over.held[side] = 0;
+    over.ends = false;
+    return true;
+  }
+  if (lies_inside(body_, contact, of.inside)) return true;
+  const gp_Pnt2d uv = contact.chart->Value(of.inside);
+  const Vec2 scale = body_.trims(contact.face).scale;
+  const auto border =
+      border_between(contact.face, from, {uv.X() * scale[0], uv.Y() * scale[1]}, entered);
+  if (!border) return false;
+  const bool leans = holds(of, of.inside, *border);
+  if (!leans && !is_smooth_at(body_, *border)) return false;
+  over.over[side] = border;
+  if (leans) over.held[side] = border->use->edge;
+  over.ends = false;
+  return true;
+}
+
+// The ball beside the middle of an edge, whose contacts lie beyond borders of its faces: on the
+// faces behind them, one after the other, or leaning on a bend. Nothing if a border is sharp, or
+// none is met, or no ball of one radius rolls.
 std::optional<WalkedStrip> BallWalker::start_behind(std::size_t place) {
   if (!profiles_.everywhere()) return std::nullopt;
   WalkedStrip of = strip_at(place);
@@ -78,21 +105,16 @@ std::optional<WalkedStrip> BallWalker::start_behind(std::size_t place) {
     from[side] = point_at(use.coedge->curve, at(range, 0.5));
   }
   for (int count = 0; count < kMaxFacesInARow; ++count) {
-    WalkExit over{of.inside};
+    WalkExit over{of.inside, {}, true, 0, held_by(of)};
     for (const std::size_t side : {0U, 1U}) {
-      const RolledContact& contact = of.strip.contacts[contact_at(of, side)];
-      if (lies_inside(body_, contact, of.inside)) continue;
-      const gp_Pnt2d uv = contact.chart->Value(of.inside);
-      const Vec2 scale = body_.trims(contact.face).scale;
-      const auto border = border_between(contact.face, from[side],
-                                         {uv.X() * scale[0], uv.Y() * scale[1]}, entered[side]);
-      if (!border || !is_smooth_at(body_, *border)) return std::nullopt;
-      over.over[side] = border;
-      const EdgeUseInFace& behind = body_.use(border->use->edge, !border->use->forward);
-      from[side] = point_at(behind.coedge->curve, border->edge_parameter);
-      entered[side] = border->use->edge;
+      if (!start_over(of, side, from[side], entered[side], over)) return std::nullopt;
+      if (const auto& border = over.over[side]) {
+        const EdgeUseInFace& behind = body_.use(border->use->edge, !border->use->forward);
+        from[side] = point_at(behind.coedge->curve, border->edge_parameter);
+        entered[side] = border->use->edge;
+      }
     }
-    if (!over.over[0] && !over.over[1]) return of;
+    if (over.ends) return of;
     const Vec3 centre = vec(of.strip.spine->Value(of.inside).XYZ());
     of = pair_strip(of, over, faces_behind(of, over), place, run_.closed);
     of.inside = nearest_on(of.strip.spine, of.strip.range, centre);
@@ -101,8 +123,9 @@ std::optional<WalkedStrip> BallWalker::start_behind(std::size_t place) {
 }
 
 // Whether faces to the left and right of the way are those on which the walk started.
-bool BallWalker::is_start(const std::array<int, 2>& faces) const {
-  return behind_ && behind_->strip.contacts[contact_at(*behind_, 0)].face == faces[0] &&
+bool BallWalker::is_start(const std::array<int, 2>& faces, const std::array<int, 2>& held) const {
+  return behind_ && held == held_by(*behind_) &&
+         behind_->strip.contacts[contact_at(*behind_, 0)].face == faces[0] &&
          behind_->strip.contacts[contact_at(*behind_, 1)].face == faces[1];
 }
 
