@@ -14,6 +14,7 @@
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
@@ -22,6 +23,9 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Plane.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
 
 #include "adapters/occt/edge_facts.h"
@@ -146,6 +150,53 @@ TEST(ChamferOfARevolvedSpline, IsMadeOfHalfCirclesAndAllEdges) {
   ASSERT_EQ(circles.size(), 2U);
   for (const int each : circles) expect_smaller(chamfered(shape, {each}, 0.2));
   expect_smaller(chamfered(shape, convex_edges(shape), 0.2));
+}
+
+// A plate whose upright edges are rounded by 2.
+TopoDS_Shape rounded_plate() {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(20, 30, 5).Shape();
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(box, TopAbs_EDGE, edges);
+  BRepFilletAPI_MakeFillet rounded(box);
+  for (const EdgeFacts& each : edge_facts(box))
+    if (std::abs(each.middle[2] - 2.5) < 1e-9) rounded.Add(2, TopoDS::Edge(edges(each.number)));
+  return rounded.Shape();
+}
+
+int upper_side(const TopoDS_Shape& plate) {
+  for (const EdgeFacts& each : edge_facts(plate))
+    if (distance(each.middle, {0, 15, 5}) < 1e-6) return each.number;
+  ADD_FAILURE() << "no edge there";
+  return 0;
+}
+
+// Straight parts are 84 long in all; the corners make one turn of a triangle whose centre is a
+// third of the distance inside of the arcs.
+TEST(ChamferOfARoundedPlate, IsMadeUpToTheRadiusOfItsArcs) {
+  const TopoDS_Shape plate = rounded_plate();
+  for (const double d : {0.1, 0.5, 0.79, 0.9, 1.0, 1.15, 1.2, 1.5, 1.95, 1.999}) {
+    const FilletResult made =
+        fillet(plate, {upper_side(plate)}, {.chamfer = ChamferSize{d, {}, {}}});
+    testing::expect_sound(made);
+    if (made.solids.empty()) continue;
+    const double cut = d * d / 2 * (84 + 2 * std::numbers::pi * (2 - d / 3));
+    EXPECT_NEAR(made.volume_before - made.solids.front().volume, cut, 1e-8) << d;
+    EXPECT_EQ(made.edges.size(), 8U);
+  }
+}
+
+TEST(ChamferOfARoundedPlate, IsRefusedWhereBordersOfArcsTurnBack) {
+  const TopoDS_Shape plate = rounded_plate();
+  for (const double d : {2.0, 2.001, 2.5, 4.0}) {
+    const FilletResult made =
+        fillet(plate, {upper_side(plate)}, {.chamfer = ChamferSize{d, {}, {}}});
+    EXPECT_TRUE(made.solids.empty());
+    ASSERT_EQ(made.refused.size(), 1U);
+    EXPECT_EQ(made.refused.front().fault, FilletFault::Pinch) << testing::told(made);
+    const double largest = made.refused.front().largest.value_or(0);
+    EXPECT_LT(largest, 2) << d;
+    EXPECT_GT(largest, 1.98) << d;
+  }
 }
 
 TEST(ChamferRefuses, WithTheLargestDistanceThatWorks) {

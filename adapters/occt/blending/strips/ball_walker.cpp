@@ -50,11 +50,13 @@ const WalkedStrip& BallWalker::strip_at(std::size_t place) {
   return *made_[place];
 }
 
-// A short edge may have no ball beside its middle where one rolls past it.
+// A short edge may have no ball beside its middle where one rolls past it, which only those of one
+// radius do.
 std::optional<WalkedStrip> BallWalker::strip_if_any(std::size_t place) {
   try {
     return strip_at(place);
   } catch (const FilletRefused&) {
+    if (!profiles_.everywhere()) throw;
     return std::nullopt;
   }
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -24,6 +26,7 @@
 #include <gp_Circ.hxx>
 
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/strips/chamfer_borders.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/convert/curves.h"
@@ -34,8 +37,11 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kChamferBeyond = 4;  // distances: how far open strips go on past the edge
-constexpr double kSameForm = 1e-9;    // of the distance: borders that are lines and circles
-constexpr int kSteps = 16;            // along the edge, by which it is seen how far borders go
+// Radians: past the end of an arc borders are looked for from their points at the end, which after
+// a quarter of a turn is as near to where they are as to the opposite point of a round face.
+constexpr double kMostTurn = 1;
+constexpr double kSameForm = 1e-9;  // of the distance: borders that are lines and circles
+constexpr int kSteps = 16;          // along the edge, by which it is seen how far borders go
 
 struct Borders {
   std::vector<double> at;
@@ -60,6 +66,24 @@ Borders borders_over(const Chamfering& of, const Interval& wanted, int steps) {
     for (const std::size_t k : {0U, 1U}) made.points[k].push_back((*both)[k]);
   }
   return made;
+}
+
+// Beside an edge that is bent by no more than the distance a border goes where the edge goes.
+void check_ways(const Chamfering& of, const Borders& borders) {
+  for (std::size_t i = 0; i + 1 < borders.at.size(); ++i) {
+    const double x = 0.5 * (borders.at[i] + borders.at[i + 1]);
+    if (x < of.domain.from || x > of.domain.to) continue;
+    const Vec3 along = unit(vec(of.curve->DN(x, 1)));
+    for (const std::size_t k : {0U, 1U}) {
+      const Vec3 way = borders.points[k][i + 1].point - borders.points[k][i].point;
+      if (dot(way, along) > kSameForm * of.profile.distance[k]) continue;
+      throw FilletRefused({FilletFault::Pinch, of.edge,
+                           "the edge is bent so much that the chamfer's border on face " +
+                               std::to_string(of.body.use(of.edge, k == 0).face) +
+                               " shrinks to a point or turns back: the distance is too large",
+                           x, borders.points[k][i].point, std::nullopt});
+    }
+  }
 }
 
 // The surface of straight lines between two splines with the same knots.
@@ -212,11 +236,15 @@ RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
   strip.spine = of.curve;
   strip.edge_range = of.domain;
   const double speed = of.curve->DN(at(of.domain, 0.5), 1).Magnitude();
-  const double beyond = strip.closed ? 0 : kChamferBeyond * strip.radius / speed;
-  Interval wanted{of.domain.from - beyond, of.domain.to + beyond};
+  double beyond = strip.closed ? 0 : kChamferBeyond * strip.radius / speed;
   const BRepAdaptor_Curve form(body.edge(edge));
-  if (form.GetType() == GeomAbs_Circle && length(wanted) > 2 * std::numbers::pi) wanted = of.domain;
+  if (form.GetType() == GeomAbs_Circle) {
+    const double left = 2 * std::numbers::pi - length(of.domain);
+    beyond = std::min({beyond, kMostTurn, std::max(0.25 * left, 0.0)});
+  }
+  const Interval wanted{of.domain.from - beyond, of.domain.to + beyond};
   const Borders borders = borders_over(of, wanted, kSteps);
+  check_ways(of, borders);
   const bool exact =
       (form.GetType() == GeomAbs_Line && set_plane(of, borders, form.Line(), strip)) ||
       (form.GetType() == GeomAbs_Circle && set_round(of, borders, form.Circle(), strip));
