@@ -17,6 +17,11 @@
 //   wrong     something else was given out
 //   crashed   the process died, or ran out of time
 //
+// What is valid has the largest angle between the normals of a blend face and a face of the model
+// along their edges, by `edge_continuity`, and is G1 if that is at most 1e-6 radians. Edges at
+// which they turn by more than one degree are no contacts but ends of strips, or edges on which the
+// ball leans. Faces of the model are those that have one of its surfaces.
+//
 // Both work in processes of their own. Seconds are of the work alone, in one thread; those that the
 // largest radius takes, for which the peer has no counterpart, are counted apart. The exit code
 // tells whether a result of ours is wrong or crashed.
@@ -29,19 +34,25 @@
 #include <exception>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 
+#include "adapters/occt/blending/continuity.h"
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/fillet.h"
@@ -53,7 +64,9 @@
 namespace blossom::bench {
 namespace {
 
-constexpr double kSharp = 0.1745;  // 10 degrees
+constexpr double kSharp = 0.1745;       // 10 degrees
+constexpr double kNoContact = 0.01745;  // 1 degree
+constexpr double kSmooth = 1e-6;        // radians
 constexpr std::array<double, 4> kRadii{0.01, 0.03, 0.1, 0.3};
 
 struct Settings {
@@ -74,6 +87,7 @@ struct Outcome {
   double seconds = 0;
   double seconds_of_largest = 0;
   bool has_largest = false;
+  double angle = -1;    // between normals along contacts, radians; -1: no contact was measured
   char fault[16] = {};  // of what is refused
   char reason[240] = {};
 };
@@ -89,6 +103,11 @@ struct Job {
 bool is_free_form(const TopoDS_Face& face) {
   const GeomAbs_SurfaceType type = GeomAdaptor_Surface(BRep_Tool::Surface(face)).GetType();
   return type == GeomAbs_BezierSurface || type == GeomAbs_BSplineSurface;
+}
+
+const Geom_Surface* surface_of(const TopoDS_Shape& face) {
+  TopLoc_Location location;
+  return BRep_Tool::Surface(TopoDS::Face(face), location).get();
 }
 
 // Of all solids, by our own integration: changes are a millionth of some models, below the noise of
@@ -110,6 +129,34 @@ Verdict verdict_of(const TopoDS_Shape& before, const TopoDS_Shape& after, bool c
   if (faces.Extent() == 0) return Verdict::Wrong;
   const double change = volume_of(after) - volume_of(before);
   return (concave ? change > 0 : change < 0) ? Verdict::Valid : Verdict::Wrong;
+}
+
+// The largest angle between normals along the contacts of blend faces.
+double contact_angle(const std::vector<TopoDS_Face>& blends, const std::vector<TopoDS_Face>& kept) {
+  TopoDS_Compound beside;
+  BRep_Builder().MakeCompound(beside);
+  TopTools_MapOfShape edges, own;
+  for (const TopoDS_Face& face : blends) {
+    BRep_Builder().Add(beside, face);
+    own.Add(face);
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) edges.Add(it.Current());
+  }
+  for (const TopoDS_Face& face : kept)
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+      if (edges.Contains(it.Current())) {
+        BRep_Builder().Add(beside, face);
+        break;
+      }
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(beside, TopAbs_FACE, faces);
+  double angle = -1;
+  for (const occt::EdgeContinuity& each : occt::edge_continuity(beside)) {
+    if (each.kind != occt::EdgeRole::Shared || !each.found) continue;
+    const auto is_blend = [&](int face) { return own.Contains(faces(face)); };
+    if (is_blend(each.faces[0]) == is_blend(each.faces[1])) continue;
+    if (each.found->angle.value <= kNoContact) angle = std::max(angle, each.found->angle.value);
+  }
+  return angle;
 }
 
 Outcome ours(const TopoDS_Shape& shape, const Job& job) {
@@ -145,6 +192,11 @@ Outcome ours(const TopoDS_Shape& shape, const Job& job) {
     const double change = volume - volume_of(before);
     outcome.verdict =
         valid && (job.concave ? change > 0 : change < 0) ? Verdict::Valid : Verdict::Wrong;
+    std::vector<TopoDS_Face> blends, kept;
+    for (const occt::FilletedSolid& each : made.solids)
+      for (const occt::FilletFace& face : each.faces)
+        (face.from > 0 ? kept : blends).push_back(face.face);
+    outcome.angle = contact_angle(blends, kept);
   } catch (const std::exception& error) {
     outcome.verdict = Verdict::Refused;
     std::strncpy(outcome.fault, "exception", sizeof outcome.fault - 1);
@@ -165,6 +217,15 @@ Outcome theirs(const TopoDS_Shape& shape, const Job& job) {
     outcome.seconds = thread_seconds() - start;
     outcome.verdict =
         maker.IsDone() ? verdict_of(shape, maker.Shape(), job.concave) : Verdict::Refused;
+    if (outcome.verdict != Verdict::Valid) return outcome;
+    std::set<const Geom_Surface*> surfaces;
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+      surfaces.insert(surface_of(it.Current()));
+    std::vector<TopoDS_Face> blends, kept;
+    for (TopExp_Explorer it(maker.Shape(), TopAbs_FACE); it.More(); it.Next())
+      (surfaces.count(surface_of(it.Current())) > 0 ? kept : blends)
+          .push_back(TopoDS::Face(it.Current()));
+    outcome.angle = contact_angle(blends, kept);
   } catch (const Standard_Failure&) {
     outcome.verdict = Verdict::Refused;
   }
@@ -207,7 +268,9 @@ struct Table {
   std::array<int, 4> count{};
   std::map<std::string, int> faults;
   double seconds = 0, seconds_of_largest = 0;
-  int told = 0;  // of those refused
+  int told = 0;    // of those refused
+  int smooth = 0;  // of those valid
+  double angle = 0;
 
   void add(const Outcome& outcome) {
     ++count[static_cast<std::size_t>(outcome.verdict)];
@@ -215,10 +278,14 @@ struct Table {
     seconds += outcome.seconds;
     seconds_of_largest += outcome.seconds_of_largest;
     told += outcome.has_largest ? 1 : 0;
+    if (outcome.verdict != Verdict::Valid) return;
+    smooth += outcome.angle >= 0 && outcome.angle <= kSmooth ? 1 : 0;
+    angle = std::max(angle, outcome.angle);
   }
   void print(const char* who) const {
     std::printf("%-6s valid %4d  refused %4d  wrong %4d  crashed %4d  %8.2f s\n", who, count[0],
                 count[1], count[2], count[3], seconds);
+    std::printf("  G1             %4d of those valid; largest angle %.2g\n", smooth, angle);
     if (told > 0) std::printf("  told           %4d  %40.2f s\n", told, seconds_of_largest);
     for (const auto& [fault, times] : faults) std::printf("  %-14s %4d\n", fault.c_str(), times);
   }
@@ -240,10 +307,10 @@ void run(const std::string& file, const Settings& settings, Table& own, Table& p
       apart<Outcome>(settings.limit, b, [&] { return theirs(model.shape(), job); });
       peer.add(b);
     }
-    std::printf("%s edge %d %s %s r %g (%g): %s %.4f s, OCCT %s %.4f s  %s\n", file.c_str(),
-                job.edge, job.concave ? "concave" : "convex", job.both_free ? "ff2" : "ff1",
-                job.radius, job.part, word(a), a.seconds, settings.peer ? word(b) : "-", b.seconds,
-                a.reason);
+    std::printf("%s edge %d %s %s r %g (%g): %s %.2g %.4f s, OCCT %s %.2g %.4f s  %s\n",
+                file.c_str(), job.edge, job.concave ? "concave" : "convex",
+                job.both_free ? "ff2" : "ff1", job.radius, job.part, word(a), a.angle, a.seconds,
+                settings.peer ? word(b) : "-", b.angle, b.seconds, a.reason);
     std::fflush(stdout);
   }
 }
