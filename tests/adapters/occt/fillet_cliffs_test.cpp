@@ -225,13 +225,13 @@ double off_balls(const FilletResult& made, const TopoDS_Shape& body, double r) {
 }
 
 // The contact comes to the bend, goes along it, and on over the slope behind; the middle of the
-// edge is before, beside or behind that.
+// edge is before, beside or behind that, or the ball leans on the bend where that ends.
 TEST(FilletAtACliff, GoesAlongABendOfTheFloorAndOnBehindIt) {
   const TopoDS_Shape shape = bent_floor();
   const TopoDS_Shape mould =
       BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-3, 0, -5), gp_Pnt(10, 10, 5)).Shape(), shape);
   const int edge = edge_where(shape, {0, 5, 0}), counterpart = edge_where(mould, {0, 5, 0});
-  for (const double r : {0.4, 0.95, 1.02, 1.45, 3.0}) {
+  for (const double r : {0.4, 0.505, 0.95, 1.02, 1.52, 3.0}) {
     const FilletResult made = fillet(shape, {edge}, {.radius = r});
     expect_sound(made);
     if (made.solids.empty()) continue;

@@ -10,6 +10,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Precision.hxx>
 #include <gp_Vec.hxx>
 #include <math_Jacobi.hxx>
 #include <math_Matrix.hxx>
@@ -30,7 +31,8 @@ constexpr double kSupportWidths = 2.5;  // widths
 constexpr double kMaxSpans = 2;
 // Of the face's box: how far surfaces that have more of them are taken beyond the trims.
 constexpr double kRoom = 0.5;
-constexpr int kTangents = 32;  // of an edge, to find a direction across it
+constexpr int kBeyondSamples = 8;  // past the end of an edge
+constexpr int kTangents = 32;      // of an edge, to find a direction across it
 
 // The length of the outer patches on a side, across it, model units.
 double outer_length(const BezierSurface& surface, bool in_u, bool first) {
@@ -138,10 +140,42 @@ Vec3 across_curve(const Handle(Geom_Curve) & curve, const Interval& range) {
   return unit(Vec3{direction(1), direction(2), direction(3)});
 }
 
-// An edge, and the angle about it of a ball near to its parameter x.
-RolledSupport held_support(const BodyEdges& body, int edge, double x, const Vec3& centre) {
+// An edge's range with what its curve has past both ends, as far as it keeps to the face behind: a
+// strip that ends where the edge does has to go over the border there.
+Interval kept_to_face(const BodyEdges& body, int edge, int face, double length_beyond) {
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(body.edge(edge), range.from, range.to);
+  const SurfaceProjector feet(body.face(face), Precision::Confusion());
+  const double reach = std::max(Precision::Confusion(), BRep_Tool::Tolerance(body.edge(edge)));
+  const Interval own = range;
+  Interval most{curve->FirstParameter(), curve->LastParameter()};
+  if (curve->IsPeriodic()) {
+    const double room = 0.5 * (curve->Period() - length(own));
+    most = {own.from - room, own.to + room};
+  }
+  for (const bool at_start : {true, false}) {
+    const double end = at_start ? own.from : own.to;
+    const double beyond = length_beyond / curve->DN(end, 1).Magnitude();
+    const double last =
+        at_start ? std::max(end - beyond, most.from) : std::min(end + beyond, most.to);
+    bool keeps = true;
+    for (int i = 1; i <= kBeyondSamples && keeps; ++i) {
+      const Vec3 point =
+          vec(curve->Value(at({end, last}, static_cast<double>(i) / kBeyondSamples)));
+      const Vec3 foot = frame_at(feet.surface(), feet.foot(point, std::nullopt)).point;
+      keeps = distance(point, foot) <= reach;
+    }
+    if (keeps) (at_start ? range.from : range.to) = last;
+  }
+  return range;
+}
+
+// An edge, and the angle about it of a ball near to its parameter x.
+RolledSupport held_support(const BodyEdges& body, int edge, int face, double x, const Vec3& centre,
+                           double length_beyond) {
+  const Interval range = kept_to_face(body, edge, face, length_beyond);
+  double first = 0, last = 0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(body.edge(edge), first, last);
   gp_Pnt point;
   gp_Vec rate;
   curve->D1(x, point, rate);
@@ -184,7 +218,8 @@ RolledSupports supports_at(const BodyEdges& body, const BallPlace& place, bool c
   for (const std::size_t k : {0U, 1U}) {
     RolledSupport& of = made.of[k];
     if (place.held[k] > 0) {
-      of = held_support(body, place.held[k], place.held_at[k], place.centre);
+      of = held_support(body, place.held[k], place.faces[k], place.held_at[k], place.centre,
+                        kSupportWidths * radius);
       continue;
     }
     const TopoDS_Face& face = body.face(place.faces[k]);

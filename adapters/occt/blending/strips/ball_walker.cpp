@@ -397,8 +397,7 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
   }
   WalkedStrip made = pair_strip(of, exit, faces, place);
   if (!made.strip.closed && reaches(made, centre, reach, t)) return {std::move(made), t};
-  refuse(FilletFault::Corner, place, "the ball does not go on over a smooth edge beside it",
-         centre);
+  refuse(FilletFault::Corner, place, "the ball does not go on over an edge beside it", centre);
 }
 
 // All strips that follow, and how they are joined; a closed run ends with the strip it started
