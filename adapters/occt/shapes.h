@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 
 #include "adapters/occt/reading.h"
 #include "adapters/occt/repairs.h"
+#include "adapters/occt/sewing.h"
 
 namespace blossom::occt {
 
@@ -110,6 +112,18 @@ class Model {
 
   /// The same for all faces, and for edges and vertices of no face.
   Repairs repair(const std::function<void()>& stop = {});
+
+  /// Sews loose faces, which bound no closed solid, into the solids that they close: those of each
+  /// part, then all that are still loose (repair/sewn_faces.h). Numbers, names and looks of faces
+  /// stay; of parts that become one solid together the part is called like the file. What does not
+  /// close stays as it is. A model is sewn once; later calls do nothing and answer the same.
+  /// within   the widest gap that is one, model units; without it as the borders' tolerances and
+  ///          lengths allow (repair/border_gaps.h)
+  /// stop     asked often; ends the work by an exception
+  Sewing sew(std::optional<double> within = {}, const std::function<void()>& stop = {});
+
+  /// Whether that was done.
+  bool is_sewn() const;
 
   /// Adds a shape as a part of its own.
   /// colour   red, green, blue in [0, 1], sRGB; empty for none

@@ -32,10 +32,6 @@ RationalBezierCurve from_occt(const Geom_BezierCurve& curve);
 CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range,
                         double tolerance = Tolerances{}.point);
 
-/// Likewise, with no other laws than surfaces and nets have: hyperbolas are approximated, too.
-CurveSpans profile_spans(const Handle(Geom_Curve) & curve, const Interval& range,
-                         double tolerance = Tolerances{}.point, ArcCuts cuts = ArcCuts::Even);
-
 /// The same of a curve in the plane, z = 0.
 /// throws   BadModel as above
 CurveSpans bezier_spans(const Handle(Geom2d_Curve) & curve, const Interval& range,
@@ -45,6 +41,10 @@ CurveSpans bezier_spans(const Handle(Geom2d_Curve) & curve, const Interval& rang
 /// parameters are the curve's.
 /// throws   BadModel if the edge has no curve in space, or as above
 CurveSpans bezier_spans(const TopoDS_Edge& edge, double tolerance = Tolerances{}.point);
+
+/// As of a curve in space, with no other laws than surfaces and nets have: hyperbolas are approximated, too.
+CurveSpans profile_spans(const Handle(Geom_Curve) & curve, const Interval& range,
+                         double tolerance = Tolerances{}.point, ArcCuts cuts = ArcCuts::Even);
 
 /// A Bezier curve with the same points; polynomial, and bit for bit, when all weights are 1.
 /// throws   Failure if Open CASCADE refuses the points

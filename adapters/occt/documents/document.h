@@ -48,6 +48,8 @@ class Document final : public DocumentInterface {
                      const std::map<int, std::vector<TopoDS_Face>>& pieces) override;
   void replace_solids(Model& own, const std::vector<CombinedSolid>& solids,
                       CommonFaces common) override;
+  void put_solids(const Faces& faces, const std::vector<SolidOfFaces>& solids,
+                  const std::string& name) override;
   void leave_out_bad_faces(const NumberSource& source, ReadingReport& report) override;
   std::string text(Format format, const std::string& unit) const override;
 

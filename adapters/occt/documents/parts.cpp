@@ -2,9 +2,11 @@
 #include "adapters/occt/documents/parts.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRep_Builder.hxx>
 #include <TDataStd_TreeNode.hxx>
 #include <TNaming_Builder.hxx>
 #include <TopExp.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <XCAFDoc.hxx>
 #include <XCAFDoc_Area.hxx>
 #include <XCAFDoc_Centroid.hxx>
@@ -83,6 +85,16 @@ void set_shape(const TDF_Label& label, const TopoDS_Shape& shape) {
 
 std::string numbered_name(const std::string& name, int number) {
   return name.empty() ? name : name + "." + std::to_string(number);
+}
+
+TopoDS_Shape moved_faces(const TopoDS_Shape& shape, const TopLoc_Location& place) {
+  if (place.IsIdentity()) return shape;
+  if (shape.ShapeType() == TopAbs_FACE) return shape.Moved(place);
+  TopoDS_Shape result = shape.EmptyCopied();
+  for (TopoDS_Iterator it(shape, false); it.More(); it.Next())
+    BRep_Builder().Add(result, moved_faces(it.Value(), place));
+  result.Closed(shape.Closed());
+  return result;
 }
 
 TDF_Label copy_of(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& label) {

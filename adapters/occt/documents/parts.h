@@ -90,6 +90,22 @@ void set_shape(const TDF_Label& label, const TopoDS_Shape& shape);
 /// "Top" and 2 make "Top.2"; no name stays none.
 std::string numbered_name(const std::string& name, int number);
 
+/// A solid moved to where its part stands. Its faces have the location: STEP files lose the name of
+/// a part whose shape has one itself.
+TopoDS_Shape moved_faces(const TopoDS_Shape& shape, const TopLoc_Location& place);
+
+/// Faces to be replaced in one use of a part.
+struct PartCut {
+  Usage usage;
+  std::vector<int> numbers;               ///< of the faces in the model
+  std::vector<Replacement> replacements;  ///< in the part's coordinates, likewise
+};
+
+/// The faces by the use of the part in which they lie, in the order of uses; each face goes to the
+/// first that has it.
+std::vector<PartCut> cuts_of(const Document& document, const TopTools_IndexedMapOfShape& faces,
+                             const std::map<int, std::vector<TopoDS_Shape>>& pieces);
+
 /// A part or an assembly once more, with the same shapes, instances and looks.
 TDF_Label copy_of(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& label);
 

@@ -18,38 +18,6 @@
 namespace blossom::occt {
 namespace {
 
-using Pieces = std::map<int, std::vector<TopoDS_Face>>;
-
-/// Faces to be replaced in one use of a part.
-struct Cut {
-  Usage usage;
-  std::vector<Replacement> replacements;  ///< in the part's coordinates
-};
-
-/// The faces by the use of the part in which they lie; each face goes to the first that has it.
-std::vector<Cut> cuts_of(const Document& document, const TopTools_IndexedMapOfShape& faces,
-                         const Pieces& pieces) {
-  std::vector<Cut> cuts;
-  std::map<int, bool> placed;
-  for (const Usage& usage : all_usages(document)) {
-    const TopoDS_Shape part = XCAFDoc_ShapeTool::GetShape(usage.part);
-    TopTools_IndexedMapOfShape here;
-    TopExp::MapShapes(part.Moved(usage.location), TopAbs_FACE, here);
-    const TopLoc_Location back = usage.location.Inverted();
-    Cut cut{usage, {}};
-    for (const auto& [number, news] : pieces) {
-      if (placed[number] || !here.Contains(faces(number))) continue;
-      placed[number] = true;
-      Replacement replacement{TopoDS::Face(faces(number).Moved(back)), {}};
-      for (const TopoDS_Face& piece : news)
-        replacement.pieces.push_back(TopoDS::Face(piece.Moved(back)));
-      cut.replacements.push_back(std::move(replacement));
-    }
-    if (!cut.replacements.empty()) cuts.push_back(std::move(cut));
-  }
-  return cuts;
-}
-
 /// A sub-shape label and what it stood for.
 struct OldLabel {
   TDF_Label label;
@@ -58,7 +26,7 @@ struct OldLabel {
 
 /// The first piece takes over the face's label, the others get one of their own.
 void label_pieces(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& part,
-                  const TDF_Label& label, const std::vector<TopoDS_Face>& pieces) {
+                  const TDF_Label& label, const std::vector<TopoDS_Shape>& pieces) {
   const std::string name = name_of(label);
   set_shape(label, pieces.front());
   if (pieces.size() == 1) return;
@@ -71,6 +39,29 @@ void label_pieces(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& par
 }
 
 }  // namespace
+
+std::vector<PartCut> cuts_of(const Document& document, const TopTools_IndexedMapOfShape& faces,
+                             const std::map<int, std::vector<TopoDS_Shape>>& pieces) {
+  std::vector<PartCut> cuts;
+  std::map<int, bool> placed;
+  for (const Usage& usage : all_usages(document)) {
+    const TopoDS_Shape part = XCAFDoc_ShapeTool::GetShape(usage.part);
+    TopTools_IndexedMapOfShape here;
+    TopExp::MapShapes(part.Moved(usage.location), TopAbs_FACE, here);
+    const TopLoc_Location back = usage.location.Inverted();
+    PartCut cut{usage, {}, {}};
+    for (const auto& [number, news] : pieces) {
+      if (placed[number] || !here.Contains(faces(number))) continue;
+      placed[number] = true;
+      Replacement replacement{TopoDS::Face(faces(number).Moved(back)), {}};
+      for (const TopoDS_Shape& piece : news) replacement.pieces.push_back(moved_faces(piece, back));
+      cut.numbers.push_back(number);
+      cut.replacements.push_back(std::move(replacement));
+    }
+    if (!cut.replacements.empty()) cuts.push_back(std::move(cut));
+  }
+  return cuts;
+}
 
 bool replace_in_part(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& part,
                      const std::vector<Replacement>& replacements) {
@@ -103,9 +94,12 @@ bool replace_in_part(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& 
   return true;
 }
 
-void Document::replace_faces(const Faces& faces, const Pieces& pieces) {
+void Document::replace_faces(const Faces& faces,
+                             const std::map<int, std::vector<TopoDS_Face>>& pieces) {
+  std::map<int, std::vector<TopoDS_Shape>> shapes_of;
+  for (const auto& [number, news] : pieces) shapes_of[number] = {news.begin(), news.end()};
   std::vector<TDF_Label> emptied;
-  for (const Cut& cut : cuts_of(*this, faces, pieces)) {
+  for (const PartCut& cut : cuts_of(*this, faces, shapes_of)) {
     const TDF_Label part = own_part(shapes(), cut.usage);
     if (!replace_in_part(shapes(), part, cut.replacements))
       emptied.push_back(part);

@@ -77,25 +77,13 @@ bool has_loose(const TopoDS_Shape& shape) {
          TopExp_Explorer(shape, TopAbs_VERTEX, TopAbs_EDGE).More();
 }
 
-/// A solid moved to where its part stands. Its faces have the location: STEP files lose the name
-/// of a part whose shape has one itself.
-TopoDS_Shape moved(const TopoDS_Shape& shape, const TopLoc_Location& place) {
-  if (place.IsIdentity()) return shape;
-  if (shape.ShapeType() == TopAbs_FACE) return shape.Moved(place);
-  TopoDS_Shape result = shape.EmptyCopied();
-  for (TopoDS_Iterator it(shape, false); it.More(); it.Next())
-    BRep_Builder().Add(result, moved(it.Value(), place));
-  result.Closed(shape.Closed());
-  return result;
-}
-
 /// Solids moved to where the part stands, in a compound unless there is one alone.
 TopoDS_Shape shape_of(const Solids& solids, const TopLoc_Location& back, const TopoDS_Shape& old) {
-  if (solids.size() == 1 && !has_loose(old)) return moved(solids.front()->solid, back);
+  if (solids.size() == 1 && !has_loose(old)) return moved_faces(solids.front()->solid, back);
   TopoDS_Compound whole;
   const BRep_Builder builder;
   builder.MakeCompound(whole);
-  for (const CombinedSolid* solid : solids) builder.Add(whole, moved(solid->solid, back));
+  for (const CombinedSolid* solid : solids) builder.Add(whole, moved_faces(solid->solid, back));
   add_loose(old, whole);
   return whole;
 }

@@ -15,6 +15,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
 
 #include "adapters/occt/exchange/plain_parts.h"
 #include "adapters/occt/face_colours.h"
@@ -30,6 +31,12 @@ enum class Format { Step, Iges, Brep, Glb };
 Format format_of(const std::filesystem::path& file);
 
 class NumberSource;  // see numbers.h
+
+/// A solid that loose faces have become.
+struct SolidOfFaces {
+  TopoDS_Solid solid;
+  std::map<int, TopoDS_Face> faces;  ///< by the number that it had, each face as it is in the solid
+};
 
 /// An XDE document: parts and assemblies with names, colours, layers and dimensions. What is behind
 /// it takes long to load, see modules.h; face numbers are those of the model.
@@ -63,6 +70,10 @@ class DocumentInterface {
                              const std::map<int, std::vector<TopoDS_Face>>& pieces) = 0;
   virtual void replace_solids(Model& own, const std::vector<CombinedSolid>& solids,
                               CommonFaces common) = 0;
+
+  /// Puts solids in the place of loose faces of which they are made; see Model::sew.
+  virtual void put_solids(const Faces& faces, const std::vector<SolidOfFaces>& solids,
+                          const std::string& name) = 0;
 
   /// See numbers.h.
   virtual void leave_out_bad_faces(const NumberSource& source, ReadingReport& report) = 0;

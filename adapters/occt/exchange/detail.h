@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include <TopoDS_Shape.hxx>
@@ -23,6 +24,7 @@ struct Model::Impl : Contents {
   std::filesystem::path file;
   ReadingReport reading;
   StatedTolerances stated = StatedTolerances::Kept;
+  std::optional<Sewing> sewing;        ///< what became of loose faces, once they were looked at
   std::unique_ptr<Repairer> repairer;  ///< of `shape`; null until something is to be repaired
 
   /// After a change of what it holds: takes shape and face numbers from it.

@@ -5,10 +5,14 @@
 #include <cstring>
 #include <ios>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+
+#include "adapters/occt/exchange/rebuild.h"
 
 namespace blossom::occt {
 namespace {
@@ -152,6 +156,8 @@ class KeptDocument : public DocumentInterface {
   void replace_solids(Model&, const std::vector<CombinedSolid>&, CommonFaces) override {
     refuse_change();
   }
+  void put_solids(const Faces&, const std::vector<SolidOfFaces>& solids,
+                  const std::string&) override;
   void leave_out_bad_faces(const NumberSource&, ReadingReport&) override { refuse_change(); }
   std::string text(Format, const std::string&) const override { refuse_change(); }
 
@@ -160,6 +166,42 @@ class KeptDocument : public DocumentInterface {
   KeptFacts facts_;
   Faces faces_;
 };
+
+void renumber(AssemblyNode& node, const std::vector<int>& now, const NumberedShapes& all) {
+  for (AssemblyNode& part : node.parts) renumber(part, now, all);
+  std::set<int> faces;
+  for (const int face : node.faces) faces.insert(now[static_cast<std::size_t>(face) - 1]);
+  node.faces.assign(faces.begin(), faces.end());
+  node.solids.clear();
+  for (int i = 1; i <= all.solids.Extent() && !faces.empty(); ++i)
+    if (const TopExp_Explorer first(all.solids(i), TopAbs_FACE); first.More())
+      if (faces.contains(all.faces.FindIndex(first.Current()))) node.solids.push_back(i);
+}
+
+void reorder(std::vector<std::string>& words, const std::vector<int>& now) {
+  std::vector<std::string> ordered(words.size());
+  for (std::size_t i = 0; i < now.size(); ++i)
+    ordered[static_cast<std::size_t>(now[i]) - 1] = std::move(words[i]);
+  words = std::move(ordered);
+}
+
+// What was said of faces by their numbers follows them.
+void KeptDocument::put_solids(const Faces&, const std::vector<SolidOfFaces>& solids,
+                              const std::string&) {
+  const Faces before = faces_;
+  const std::vector<Replacement> replacements = replacements_of(before, solids);
+  shape_ = Rebuild(replacements)(shape_);
+  faces_.Clear();
+  TopExp::MapShapes(shape_, TopAbs_FACE, faces_);
+  std::vector<int> now;
+  for (int i = 1; i <= before.Extent(); ++i) now.push_back(faces_.FindIndex(before(i)));
+  for (const SolidOfFaces& solid : solids)
+    for (const auto& [number, face] : solid.faces)
+      now[static_cast<std::size_t>(number) - 1] = faces_.FindIndex(face);
+  for (auto* words : {&facts_.names, &facts_.paths, &facts_.parts}) reorder(*words, now);
+  const NumberedShapes all(shape_, faces_);
+  for (AssemblyNode& node : facts_.assembly) renumber(node, now, all);
+}
 
 }  // namespace
 

@@ -36,10 +36,13 @@ TopoDS_Shape joined(const std::vector<TopoDS_Shape>& parts) {
   return all.size() == 1 ? all.front() : compound_of(all);
 }
 
-/// A shell for every connected group of faces, in the order of their first faces.
-TopoDS_Shape shells_of(const std::vector<TopoDS_Shape>& faces) {
+/// The solids among the parts, and a shell for every connected group of faces, in the order of
+/// their first faces.
+TopoDS_Shape shells_of(const std::vector<TopoDS_Shape>& parts) {
   const BRep_Builder builder;
-  std::vector<TopoDS_Shape> shells;
+  std::vector<TopoDS_Shape> shells, faces;
+  for (const TopoDS_Shape& part : parts)
+    (part.ShapeType() == TopAbs_FACE ? faces : shells).push_back(part);
   for (const FaceGroup& group :
        groups_over_edges(faces, [](const TopoDS_Shape&) { return false; })) {
     TopoDS_Shell shell;
@@ -64,6 +67,18 @@ TopoDS_Shape filled(Whole whole, const std::vector<TopoDS_Shape>& parts) {
 
 }  // namespace
 
+std::vector<Replacement> replacements_of(const TopTools_IndexedMapOfShape& faces,
+                                         const std::vector<SolidOfFaces>& solids) {
+  std::vector<Replacement> replacements;
+  for (const SolidOfFaces& solid : solids)
+    for (const auto& [number, face] : solid.faces) {
+      const bool first = number == solid.faces.begin()->first;
+      Replacement& of = replacements.emplace_back(TopoDS::Face(faces(number)));
+      if (first) of.pieces.push_back(solid.solid);
+    }
+  return replacements;
+}
+
 Rebuild::Rebuild(const std::vector<Replacement>& replacements) {
   for (const Replacement& replacement : replacements)
     replacements_.Bind(replacement.face, replacement);
@@ -79,8 +94,8 @@ std::vector<TopoDS_Shape> Rebuild::pieces_of(const TopoDS_Shape& face) const {
   // A face between two solids is met in both orientations, its pieces are given for one.
   const bool same = face.Orientation() == replacement->face.Orientation();
   std::vector<TopoDS_Shape> pieces;
-  for (const TopoDS_Face& piece : replacement->pieces)
-    pieces.push_back(same ? TopoDS_Shape(piece) : piece.Reversed());
+  for (const TopoDS_Shape& piece : replacement->pieces)
+    pieces.push_back(same ? piece : piece.Reversed());
   return pieces;
 }
 

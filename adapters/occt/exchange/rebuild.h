@@ -6,22 +6,31 @@
 #include <vector>
 
 #include <NCollection_DataMap.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "adapters/occt/exchange/contents.h"
+
 namespace blossom::occt {
 
-/// A face to be replaced, as it lies in the shape, and what comes in its place. The pieces'
-/// orientations stand beside the face's own.
+/// A face to be replaced, as it lies in the shape, and what comes in its place: faces, or a solid.
+/// The pieces' orientations stand beside the face's own.
 struct Replacement {
   TopoDS_Face face;
-  std::vector<TopoDS_Face> pieces;
+  std::vector<TopoDS_Shape> pieces;
 };
+
+/// The replacements of loose faces by the solids that they have become.
+/// faces   of the shape, by the numbers that the solids name
+std::vector<Replacement> replacements_of(const TopTools_IndexedMapOfShape& faces,
+                                         const std::vector<SolidOfFaces>& solids);
 
 /// Builds shapes anew where they hold replaced faces and keeps everything else as it is.
 ///
-///   shell      of its faces and their pieces; several shells, in a compound, when it falls apart
+///   shell      of its faces and their pieces; several shells, in a compound, when it falls apart,
+///              and solids beside it
 ///   solid      stays a solid as long as its shells stay one and stay closed, else its shells
 ///   compound   of its parts; faces directly in it become their pieces
 ///   empty      shells, solids and compounds are left out

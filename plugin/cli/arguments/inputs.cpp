@@ -120,6 +120,17 @@ void select(const InputName& name, Faces need, Input& input) {
     input.selected = shape_of(selection, input.numbers, input.model);
 }
 
+// A limit of 0 leaves faces loose.
+void sew(const std::filesystem::path& file, occt::Model& model, Input& input) {
+  const std::optional<double>& within = reading_policy().sew;
+  if (within == 0) return;
+  enter(Phase::Working, "sewing " + file.string());
+  const bool first = !model.is_sewn();
+  input.sewing = model.sew(within, stop_if_interrupted);
+  if (!first) return;
+  for (const std::string& line : reports::words_of(input.sewing)) note(file.string() + ": " + line);
+}
+
 void tell(const occt::Repairs& repairs, const std::filesystem::path& file) {
   if (repairs.empty()) return;
   note(file.string() + ": " + reports::summary_of(repairs));
@@ -157,7 +168,7 @@ void refuse_special(const std::filesystem::path& file) {
                    ", only regular files are read and written");
 }
 
-Input read_input(const std::string& text, Faces need, Repair repair) {
+Input read_input(const std::string& text, Faces need, Repair repair, Loose loose) {
   const InputName name = parse_input(text);
   if (nets::is_net_file(name.file) && cli::exists(name.file))
     throw occt::BadModel(name.file.string() +
@@ -169,6 +180,8 @@ Input read_input(const std::string& text, Faces need, Repair repair) {
                          "blend fill and convert take alone");
   const std::shared_ptr<occt::Model> model = model_of(name.file);
   Input input{text, model, *model};
+  if (loose == Loose::Sewn || !name.words.empty() || reading_policy().sew)
+    sew(name.file, *model, input);
   input.shape = model->shape();
   input.numbers = chosen_numbers(name, model->face_count(), need);
   if (!name.words.empty()) select(name, need, input);

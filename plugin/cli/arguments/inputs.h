@@ -43,14 +43,18 @@ enum class Repair {
   None,
 };
 
+/// What becomes of faces that bound no closed solid, see occt::Model::sew. Where words name
+/// something in a file, or --sew-gap is given, they are sewn in any case, unless by --sew-gap 0.
+enum class Loose { Kept, Sewn };
+
 /// Reads the file and picks the faces. Files are read once as long as an input from them is there,
-/// so that edges which faces of two inputs share are known to be the same. What was repaired is
-/// told in one line, and with -v where.
-/// throws   UsageError as parse_input, or if edges are named where faces are required;
+/// so that edges which faces of two inputs share are known to be the same. What was sewn and what
+/// was repaired is told in a line each, and with -v where. throws   UsageError as parse_input, or
+/// if edges are named where faces are required;
 ///          occt::BadModel if the file cannot be read, has no face though they are required, or
 ///          what is named does not exist
 Input read_input(const std::string& text, Faces need = Faces::Required,
-                 Repair repair = Repair::Used);
+                 Repair repair = Repair::Used, Loose loose = Loose::Sewn);
 
 /// Faces as results name them: "face 12 (Bolt)", the part's name if it has one.
 class FaceLabels {

@@ -129,6 +129,13 @@ void add_report_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--json", options.json, "write a report; - is stdout")->type_name("FILE");
   command.add_flag("--strict", reading_policy().strict,
                    "refuse files of which shapes are missing or not as they are there");
+  const auto sew = [](const double& within) { reading_policy().sew = within; };
+  command
+      .add_option_function<double>("--sew-gap", sew,
+                                   "join loose faces with gaps up to this to solids; 0 leaves "
+                                   "them loose")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("T");
   const auto take = [](const double& seconds) { set_time_limit(seconds); };
   command.add_option_function<double>("--time-limit", take, "stop after so many seconds in all")
       ->check(positive_number())

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/soundness.h"
@@ -16,7 +17,9 @@ namespace blossom::cli {
 /// How inputs are read; the options of the command set it.
 struct ReadingPolicy {
   bool strict = false;  ///< --strict: a file of which shapes are missing is refused
-  bool looks = true;    ///< colours, layers and dimensions are wanted: a model is written
+  std::optional<double> sew =
+      {};             ///< --sew-gap: how wide a gap between loose faces may be; 0 for none
+  bool looks = true;  ///< colours, layers and dimensions are wanted: a model is written
 };
 ReadingPolicy& reading_policy();
 

@@ -26,6 +26,7 @@ struct Input {
   std::vector<int> edges{};            ///< that the user names; with them, and no faces, no faces
   TopoDS_Shape selected{};             ///< solids, other faces and edges; null if none are named
   occt::Repairs repairs{};             ///< what was changed to use the faces
+  occt::Sewing sewing{};               ///< what became of loose faces, if they were looked at
 };
 
 /// Readers of other systems leave such faces out or fill them with all of their surface.

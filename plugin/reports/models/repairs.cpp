@@ -6,6 +6,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "core/base/tolerances.h"
+
 namespace blossom::reports {
 namespace {
 
@@ -15,6 +17,13 @@ constexpr std::size_t kListed = 10;
 std::string length_text(double length) {
   std::ostringstream text;
   text << std::setprecision(2) << length;
+  return text.str();
+}
+
+// "(1.2, -3, 0)", to six digits.
+std::string corner_of(const Vec3& place) {
+  std::ostringstream text;
+  text << "(" << place[0] << ", " << place[1] << ", " << place[2] << ")";
   return text.str();
 }
 
@@ -88,6 +97,27 @@ std::vector<std::string> details_of(const occt::Repairs& repairs) {
   return lines;
 }
 
+std::vector<std::string> words_of(const occt::Sewing& sewing) {
+  std::vector<std::string> lines;
+  const auto number = [](int count) { return static_cast<std::size_t>(count); };
+  if (!sewing.solids.empty()) {
+    const bool apart = sewing.gap > Tolerances{}.point;
+    lines.push_back(counted(number(sewing.sewn()), "loose face") + " sewn into " +
+                    counted(sewing.solids.size(), "solid") +
+                    (apart ? ", gaps up to " + length_text(sewing.gap) : ", without gaps"));
+    if (sewing.renumbered)
+      lines.back() += "; those of several solids took turns and have new numbers";
+  }
+  if (sewing.open_edges > 0) {
+    const std::size_t left = number(sewing.loose - sewing.sewn());
+    lines.push_back(counted(left, "loose face") + (left == 1 ? " closes" : " close") +
+                    " no solid: " + counted(number(sewing.open_edges), "edge") +
+                    " open, the first at " + corner_of(sewing.open_at) +
+                    "; --sew-gap T joins across gaps up to T");
+  }
+  return lines;
+}
+
 Json repairs_json(const Input& input) {
   const occt::Repairs& repairs = input.repairs;
   const std::size_t added = added_count(repairs);
@@ -100,7 +130,16 @@ Json repairs_json(const Input& input) {
             {"largest", repairs.largest_tolerance()}}},
           {"curves_added", added},
           {"curves_missing", repairs.missing.size() - added},
-          {"faces_not_repaired", repairs.failed}};
+          {"faces_not_repaired", repairs.failed},
+          {"sewn",
+           {{"loose_faces", input.sewing.loose},
+            {"faces", input.sewing.sewn()},
+            {"solids", input.sewing.solids.size()},
+            {"largest_gap", input.sewing.gap},
+            {"within", input.sewing.within},
+            {"open_edges", input.sewing.open_edges},
+            {"open_at",
+             input.sewing.open_edges > 0 ? Json(input.sewing.open_at.coordinates) : Json()}}}};
 }
 
 }  // namespace blossom::reports

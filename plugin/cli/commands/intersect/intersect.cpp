@@ -37,8 +37,8 @@ int run(const IntersectCommand& options) {
     return run_mesh_intersection(options.a, options.b, options.intersect.common);
   check_files(options.intersect.common, {options.a, options.b});
   start_threads(options.intersect.engine.threads);
-  const Input a = read_input(options.a);
-  const Input b = read_input(options.b);
+  const Input a = read_input(options.a, Faces::Required, Repair::Used, Loose::Kept);
+  const Input b = read_input(options.b, Faces::Required, Repair::Used, Loose::Kept);
   stop_if_interrupted();
   const TimedIntersection result = timed_intersection(
       options.intersect,

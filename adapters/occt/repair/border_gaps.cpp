@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/repair/border_gaps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
+#include <BndLib_Add3dCurve.hxx>
+#include <Bnd_Box.hxx>
+#include <Extrema_ExtPC.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/base/points.h"
+#include "core/base/disjoint_sets.h"
+#include "core/bounds/box_tree.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kWidest = 0.01;  // of the shortest border
+// Parts of a border's parameter range. At its ends the next edges of its own face are near.
+constexpr std::array kInner = {1. / 6, 1. / 2, 5. / 6};
+constexpr std::array kEnds = {0., 1.};
+
+/// A border with its curve.
+struct LooseCurve {
+  std::size_t face = 0;
+  std::unique_ptr<BRepAdaptor_Curve> curve;
+  std::unique_ptr<Extrema_ExtPC> feet;
+  double length = 0;
+  Box box;
+
+  double first() const { return curve->FirstParameter(); }
+  double last() const { return curve->LastParameter(); }
+  gp_Pnt at(double share) const { return curve->Value(first() + share * (last() - first())); }
+
+  double distance(const gp_Pnt& point) const {
+    double least = std::min(point.Distance(at(0)), point.Distance(at(1)));
+    feet->Perform(point);
+    for (int i = 1; feet->IsDone() && i <= feet->NbExt(); ++i)
+      least = std::min(least, std::sqrt(feet->SquareDistance(i)));
+    return least;
+  }
+};
+
+LooseCurve curve_of(const TopoDS_Edge& edge, const TopoDS_Face& face, std::size_t number) {
+  LooseCurve border;
+  border.face = number;
+  const bool in_space = BRep_Tool::IsGeometric(edge) && [&] {
+    double first = 0, last = 0;
+    return !BRep_Tool::Curve(edge, first, last).IsNull();
+  }();
+  border.curve = in_space ? std::make_unique<BRepAdaptor_Curve>(edge)
+                          : std::make_unique<BRepAdaptor_Curve>(edge, face);
+  border.length = GCPnts_AbscissaPoint::Length(*border.curve);
+  border.feet = std::make_unique<Extrema_ExtPC>();
+  border.feet->Initialize(*border.curve, border.first(), border.last());
+  Bnd_Box box;
+  BndLib_Add3dCurve::Add(*border.curve, 0, box);
+  border.box = {vec(box.CornerMin()), vec(box.CornerMax())};
+  return border;
+}
+
+/// The edges that are used once, with their faces' places. Faces that share others are joined.
+std::vector<std::pair<TopoDS_Edge, std::size_t>> edges_used_once(
+    const std::vector<TopoDS_Face>& faces, DisjointSets& bodies) {
+  TopTools_IndexedMapOfShape edges;
+  std::vector<std::size_t> uses, users;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (TopExp_Explorer it(faces[i].Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next()) {
+      const TopAbs_Orientation turned = it.Current().Orientation();
+      if (turned != TopAbs_FORWARD && turned != TopAbs_REVERSED) continue;
+      if (BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) continue;
+      const auto number = static_cast<std::size_t>(edges.Add(it.Current())) - 1;
+      uses.resize(std::max(uses.size(), number + 1));
+      users.resize(uses.size());
+      if (uses[number]++ > 0) bodies.join(i, users[number]);
+      users[number] = i;
+    }
+  std::vector<std::pair<TopoDS_Edge, std::size_t>> found;
+  for (std::size_t i = 0; i < uses.size(); ++i)
+    if (uses[i] == 1) found.emplace_back(TopoDS::Edge(edges(static_cast<int>(i) + 1)), users[i]);
+  return found;
+}
+
+double bound_of(const std::vector<LooseCurve>& curves, double tolerance) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const LooseCurve& curve : curves)
+    if (curve.length > 2 * tolerance) shortest = std::min(shortest, curve.length);
+  return std::isinf(shortest) ? 2 * tolerance : std::max(2 * tolerance, kWidest * shortest);
+}
+
+std::vector<std::vector<std::size_t>> groups_of(DisjointSets& bodies) {
+  std::map<std::size_t, std::vector<std::size_t>> members;
+  for (std::size_t i = 0; i < bodies.size(); ++i) members[bodies.find(i)].push_back(i);
+  std::vector<std::vector<std::size_t>> groups;
+  for (auto& [known_by, faces] : members) groups.push_back(std::move(faces));
+  return groups;
+}
+
+class Measuring {
+ public:
+  Measuring(const std::vector<LooseCurve>& curves, double within)
+      : curves_(curves), tree_(boxes_of(curves)), within_(within) {}
+
+  /// bodies   the face on the other side is joined with the border's own
+  std::optional<double> gap_of(std::size_t border, double tolerance, DisjointSets& bodies) const {
+    const LooseCurve& own = curves_[border];
+    double widest = 0;
+    for (const double share : kInner) {
+      const std::vector<Near> near =
+          all_near(own.at(share), [&](std::size_t other) { return other != border; });
+      if (near.empty()) return std::nullopt;
+      widest = std::max(widest, near.front().gap);
+      bodies.join(own.face, other_side(own, near, tolerance));
+    }
+    // A border that ends where another one goes on is near to it there, too.
+    for (const double share : kEnds) {
+      const std::vector<Near> near = all_near(
+          own.at(share), [&](std::size_t other) { return curves_[other].face != own.face; });
+      if (!near.empty()) widest = std::max(widest, near.front().gap);
+    }
+    return widest;
+  }
+
+ private:
+  struct Near {
+    double gap = 0;
+    std::size_t border = 0;
+  };
+
+  static std::vector<Box> boxes_of(const std::vector<LooseCurve>& curves) {
+    std::vector<Box> boxes;
+    for (const LooseCurve& curve : curves) boxes.push_back(curve.box);
+    return boxes;
+  }
+
+  /// Borders within the bound, the nearest first.
+  template <class Taken>
+  std::vector<Near> all_near(const gp_Pnt& point, const Taken& taken) const {
+    std::vector<Near> near;
+    const double bound = within_ * within_;
+    tree_.for_each_near(vec(point), bound, [&](int item) {
+      const auto other = static_cast<std::size_t>(item);
+      if (!taken(other)) return bound;
+      if (const double gap = curves_[other].distance(point); gap <= within_)
+        near.push_back({gap, other});
+      return bound;
+    });
+    std::ranges::sort(near, {}, &Near::gap);
+    return near;
+  }
+
+  /// Where bodies touch, several borders are as near as the nearest one. Files have the faces of a
+  /// body one after the other: of all in order, the first two belong together, and so on.
+  std::size_t other_side(const LooseCurve& own, const std::vector<Near>& near,
+                         double tolerance) const {
+    const double bound = 2 * (near.front().gap + tolerance);
+    std::vector<std::size_t> faces{own.face};
+    for (const Near& each : near)
+      if (each.gap <= bound) faces.push_back(curves_[each.border].face);
+    std::ranges::sort(faces);
+    const std::size_t place =
+        static_cast<std::size_t>(std::ranges::find(faces, own.face) - faces.begin()) ^ 1;
+    return place < faces.size() ? faces[place] : curves_[near.front().border].face;
+  }
+
+  const std::vector<LooseCurve>& curves_;
+  BoxTree tree_;
+  double within_;
+};
+
+}  // namespace
+
+std::size_t BorderGaps::open() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(borders, [](const LooseBorder& border) { return !border.gap; }));
+}
+
+BorderGaps border_gaps(const std::vector<TopoDS_Face>& faces, std::optional<double> within,
+                       const std::function<void()>& stop) {
+  BorderGaps found;
+  DisjointSets bodies(faces.size());
+  std::vector<LooseCurve> curves;
+  for (const auto& [edge, face] : edges_used_once(faces, bodies)) {
+    if (stop) stop();
+    curves.push_back(curve_of(edge, faces[face], face));
+    found.borders.push_back({vec(curves.back().at(0.5)), std::nullopt});
+    found.tolerance = std::max(found.tolerance, BRep_Tool::Tolerance(edge));
+  }
+  const Measuring measuring(curves, within ? *within : bound_of(curves, found.tolerance));
+  for (std::size_t i = 0; i < found.borders.size(); ++i) {
+    if (stop) stop();
+    found.borders[i].gap = measuring.gap_of(i, found.tolerance, bodies);
+    found.widest = std::max(found.widest, found.borders[i].gap.value_or(0));
+  }
+  found.bodies = groups_of(bodies);
+  return found;
+}
+
+}  // namespace blossom::occt
