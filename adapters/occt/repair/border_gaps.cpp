@@ -16,6 +16,7 @@
 #include <Bnd_Box.hxx>
 #include <Extrema_ExtPC.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
+#include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -38,7 +39,8 @@ struct LooseCurve {
   std::unique_ptr<BRepAdaptor_Curve> curve;
   std::unique_ptr<Extrema_ExtPC> feet;
   double length = 0;
-  Box box;
+  double tolerance = 0;
+  Box box;  // with the tolerance
 
   double first() const { return curve->FirstParameter(); }
   double last() const { return curve->LastParameter(); }
@@ -63,11 +65,12 @@ LooseCurve curve_of(const TopoDS_Edge& edge, const TopoDS_Face& face, std::size_
   border.curve = in_space ? std::make_unique<BRepAdaptor_Curve>(edge)
                           : std::make_unique<BRepAdaptor_Curve>(edge, face);
   border.length = GCPnts_AbscissaPoint::Length(*border.curve);
+  border.tolerance = BRep_Tool::Tolerance(edge);
   border.feet = std::make_unique<Extrema_ExtPC>();
   border.feet->Initialize(*border.curve, border.first(), border.last());
   Bnd_Box box;
   BndLib_Add3dCurve::Add(*border.curve, 0, box);
-  border.box = {vec(box.CornerMin()), vec(box.CornerMax())};
+  border.box = widened({vec(box.CornerMin()), vec(box.CornerMax())}, border.tolerance);
   return border;
 }
 
@@ -93,41 +96,36 @@ std::vector<std::pair<TopoDS_Edge, std::size_t>> edges_used_once(
   return found;
 }
 
-double bound_of(const std::vector<LooseCurve>& curves, double tolerance) {
+double bound_of(const std::vector<LooseCurve>& curves) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const LooseCurve& curve : curves)
-    if (curve.length > 2 * tolerance) shortest = std::min(shortest, curve.length);
-  return std::isinf(shortest) ? 2 * tolerance : std::max(2 * tolerance, kWidest * shortest);
-}
-
-std::vector<std::vector<std::size_t>> groups_of(DisjointSets& bodies) {
-  std::map<std::size_t, std::vector<std::size_t>> members;
-  for (std::size_t i = 0; i < bodies.size(); ++i) members[bodies.find(i)].push_back(i);
-  std::vector<std::vector<std::size_t>> groups;
-  for (auto& [known_by, faces] : members) groups.push_back(std::move(faces));
-  return groups;
+    if (curve.length > 2 * curve.tolerance) shortest = std::min(shortest, curve.length);
+  return std::isinf(shortest) ? 0 : kWidest * shortest;
 }
 
 class Measuring {
  public:
-  Measuring(const std::vector<LooseCurve>& curves, double within)
-      : curves_(curves), tree_(boxes_of(curves)), within_(within) {}
+  Measuring(const std::vector<LooseCurve>& curves, std::optional<double> within)
+      : curves_(curves),
+        tree_(boxes_of(curves)),
+        within_(within.value_or(bound_of(curves))),
+        by_tolerances_(!within) {}
 
   /// bodies   the face on the other side is joined with the border's own
-  std::optional<double> gap_of(std::size_t border, double tolerance, DisjointSets& bodies) const {
+  std::optional<double> gap_of(std::size_t border, DisjointSets& bodies) const {
     const LooseCurve& own = curves_[border];
     double widest = 0;
     for (const double share : kInner) {
       const std::vector<Near> near =
-          all_near(own.at(share), [&](std::size_t other) { return other != border; });
+          all_near(own, share, [&](std::size_t other) { return other != border; });
       if (near.empty()) return std::nullopt;
       widest = std::max(widest, near.front().gap);
-      bodies.join(own.face, other_side(own, near, tolerance));
+      bodies.join(own.face, other_side(own, near));
     }
     // A border that ends where another one goes on is near to it there, too.
     for (const double share : kEnds) {
-      const std::vector<Near> near = all_near(
-          own.at(share), [&](std::size_t other) { return curves_[other].face != own.face; });
+      const std::vector<Near> near =
+          all_near(own, share, [&](std::size_t other) { return curves_[other].face != own.face; });
       if (!near.empty()) widest = std::max(widest, near.front().gap);
     }
     return widest;
@@ -147,25 +145,29 @@ class Measuring {
 
   /// Borders within the bound, the nearest first.
   template <class Taken>
-  std::vector<Near> all_near(const gp_Pnt& point, const Taken& taken) const {
+  std::vector<Near> all_near(const LooseCurve& own, double share, const Taken& taken) const {
     std::vector<Near> near;
-    const double bound = within_ * within_;
-    tree_.for_each_near(vec(point), bound, [&](int item) {
+    const gp_Pnt point = own.at(share);
+    const double reach = std::max(within_, by_tolerances_ ? own.tolerance : 0);
+    tree_.for_each_near(vec(point), reach * reach, [&](int item) {
       const auto other = static_cast<std::size_t>(item);
-      if (!taken(other)) return bound;
-      if (const double gap = curves_[other].distance(point); gap <= within_)
-        near.push_back({gap, other});
-      return bound;
+      if (taken(other))
+        if (const double gap = curves_[other].distance(point); gap <= bound(own, curves_[other]))
+          near.push_back({gap, other});
+      return reach * reach;
     });
     std::ranges::sort(near, {}, &Near::gap);
     return near;
   }
 
+  double bound(const LooseCurve& a, const LooseCurve& b) const {
+    return std::max(within_, by_tolerances_ ? a.tolerance + b.tolerance : 0);
+  }
+
   /// Where bodies touch, several borders are as near as the nearest one. Files have the faces of a
   /// body one after the other: of all in order, the first two belong together, and so on.
-  std::size_t other_side(const LooseCurve& own, const std::vector<Near>& near,
-                         double tolerance) const {
-    const double bound = 2 * (near.front().gap + tolerance);
+  std::size_t other_side(const LooseCurve& own, const std::vector<Near>& near) const {
+    const double bound = joined_within(near.front().gap);
     std::vector<std::size_t> faces{own.face};
     for (const Near& each : near)
       if (each.gap <= bound) faces.push_back(curves_[each.border].face);
@@ -178,9 +180,25 @@ class Measuring {
   const std::vector<LooseCurve>& curves_;
   BoxTree tree_;
   double within_;
+  bool by_tolerances_;
 };
 
+std::vector<LooseBody> bodies_of(DisjointSets& bodies, const std::vector<LooseCurve>& curves,
+                                 const std::vector<LooseBorder>& borders) {
+  std::map<std::size_t, LooseBody> found;
+  for (std::size_t i = 0; i < bodies.size(); ++i) found[bodies.find(i)].faces.push_back(i);
+  for (std::size_t i = 0; i < borders.size(); ++i) {
+    double& widest = found[bodies.find(curves[i].face)].widest;
+    widest = std::max(widest, borders[i].gap.value_or(0));
+  }
+  std::vector<LooseBody> all;
+  for (auto& [known_by, body] : found) all.push_back(std::move(body));
+  return all;
+}
+
 }  // namespace
+
+double joined_within(double gap) { return 2 * gap + Precision::Confusion(); }
 
 std::size_t BorderGaps::open() const {
   return static_cast<std::size_t>(
@@ -196,15 +214,13 @@ BorderGaps border_gaps(const std::vector<TopoDS_Face>& faces, std::optional<doub
     if (stop) stop();
     curves.push_back(curve_of(edge, faces[face], face));
     found.borders.push_back({vec(curves.back().at(0.5)), std::nullopt});
-    found.tolerance = std::max(found.tolerance, BRep_Tool::Tolerance(edge));
   }
-  const Measuring measuring(curves, within ? *within : bound_of(curves, found.tolerance));
+  const Measuring measuring(curves, within);
   for (std::size_t i = 0; i < found.borders.size(); ++i) {
     if (stop) stop();
-    found.borders[i].gap = measuring.gap_of(i, found.tolerance, bodies);
-    found.widest = std::max(found.widest, found.borders[i].gap.value_or(0));
+    found.borders[i].gap = measuring.gap_of(i, bodies);
   }
-  found.bodies = groups_of(bodies);
+  found.bodies = bodies_of(bodies, curves, found.borders);
   return found;
 }
 

@@ -65,6 +65,7 @@ class StopIndicator : public Message_ProgressIndicator {
 struct Sewn {
   std::vector<TopoDS_Shape> faces;
   std::vector<std::size_t> places;
+  std::vector<double> within;  ///< how much the borders of each were joined, model units
 };
 
 void sew(const std::vector<TopoDS_Face>& faces, const std::vector<std::size_t>& body, double within,
@@ -81,6 +82,7 @@ void sew(const std::vector<TopoDS_Face>& faces, const std::vector<std::size_t>& 
     if (const std::size_t* place = places.Seek(it.Current())) {
       sewn.faces.push_back(it.Current());
       sewn.places.push_back(*place);
+      sewn.within.push_back(within);
     }
 }
 
@@ -102,6 +104,7 @@ bool is_closed(const std::vector<TopoDS_Shape>& faces) {
 /// A closed shell turned outwards.
 struct ClosedShell {
   std::vector<TopoDS_Face> faces;
+  double within = 0;  ///< how much borders were joined, model units
   Bnd_Box box;
 };
 
@@ -110,7 +113,7 @@ void turn(std::vector<TopoDS_Face>& faces) {
 }
 
 /// The shells that faces close, and that bound something.
-std::vector<ClosedShell> closed_shells(const Sewn& sewn, double within, ConeVolumes& volumes) {
+std::vector<ClosedShell> closed_shells(const Sewn& sewn, ConeVolumes& volumes) {
   std::vector<ClosedShell> shells;
   for (const FaceGroup& group :
        groups_over_edges(sewn.faces, [](const TopoDS_Shape&) { return false; })) {
@@ -118,6 +121,7 @@ std::vector<ClosedShell> closed_shells(const Sewn& sewn, double within, ConeVolu
     for (const std::size_t i : group) faces.push_back(sewn.faces[i]);
     if (!is_closed(faces)) continue;
     ClosedShell shell;
+    shell.within = sewn.within[group.front()];
     double volume = 0, skin = 0;
     for (const TopoDS_Shape& face : faces) {
       shell.faces.push_back(TopoDS::Face(face));
@@ -125,7 +129,7 @@ std::vector<ClosedShell> closed_shells(const Sewn& sewn, double within, ConeVolu
       skin += std::abs(area(shell.faces.back()));
       BRepBndLib::Add(face, shell.box, Standard_False);
     }
-    if (std::abs(volume) <= within * skin) continue;
+    if (std::abs(volume) <= shell.within * skin) continue;
     if (volume < 0) turn(shell.faces);
     shells.push_back(std::move(shell));
   }
@@ -133,20 +137,19 @@ std::vector<ClosedShell> closed_shells(const Sewn& sewn, double within, ConeVolu
 }
 
 /// How many other shells a shell lies in; odd ones are voids.
-int depth_of(const ClosedShell& shell, const std::vector<ClosedShell>& shells, double within) {
+int depth_of(const ClosedShell& shell, const std::vector<ClosedShell>& shells) {
   int depth = 0;
   for (const ClosedShell& other : shells) {
     const std::optional<gp_Pnt> point = point_inside(shell.faces.front());
     if (&other == &shell || !point || other.box.IsOut(*point)) continue;
-    if (SolidRays(other.faces, within).is_inside(vec(*point)).value_or(false)) ++depth;
+    if (SolidRays(other.faces, other.within).is_inside(vec(*point)).value_or(false)) ++depth;
   }
   return depth;
 }
 
-std::vector<TopoDS_Solid> solids_from(std::vector<ClosedShell>& shells, double within,
-                                      ConeVolumes& volumes) {
+std::vector<TopoDS_Solid> solids_from(std::vector<ClosedShell>& shells, ConeVolumes& volumes) {
   std::vector<int> depths;
-  for (const ClosedShell& shell : shells) depths.push_back(depth_of(shell, shells, within));
+  for (const ClosedShell& shell : shells) depths.push_back(depth_of(shell, shells));
   std::vector<BoundingFace> bounding;
   for (std::size_t i = 0; i < shells.size(); ++i) {
     if (depths[i] % 2 == 1) turn(shells[i].faces);
@@ -201,15 +204,16 @@ SewnFaces sewn_faces(const std::vector<TopoDS_Face>& faces, std::optional<double
                        return !border.gap;
                      })->middle;
     }
-    made.gap = gaps.widest;
-    made.within = 2 * (gaps.widest + gaps.tolerance);
     Sewn sewn;
-    for (const std::vector<std::size_t>& body : gaps.bodies)
-      sew(faces, body, made.within, stop, sewn);
+    for (const LooseBody& body : gaps.bodies)
+      sew(faces, body.faces, joined_within(body.widest), stop, sewn);
     ConeVolumes volumes(middle_of(faces));
-    std::vector<ClosedShell> shells = closed_shells(sewn, made.within, volumes);
-    for (const TopoDS_Solid& solid : solids_from(shells, made.within, volumes))
+    std::vector<ClosedShell> shells = closed_shells(sewn, volumes);
+    for (const TopoDS_Solid& solid : solids_from(shells, volumes))
       made.solids.push_back(ordered(solid, sewn));
+    for (const ClosedShell& shell : shells) made.within = std::max(made.within, shell.within);
+    for (const LooseBody& body : gaps.bodies)
+      if (joined_within(body.widest) <= made.within) made.gap = std::max(made.gap, body.widest);
     std::ranges::sort(made.solids, {}, [](const SewnSolid& s) { return s.faces.front().first; });
     return made;
   });

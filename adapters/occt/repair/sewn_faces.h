@@ -30,10 +30,10 @@ struct SewnFaces {
   Vec3 open_at;                   ///< the middle of the first
 };
 
-/// Sews faces by Open CASCADE's BRepBuilderAPI_Sewing, within twice the widest gap that is measured
-/// between their borders (`border_gaps`: samples are lower bounds) and the tolerances that they
-/// have. What closes becomes solids; a shell inside of another one is a void of it. A shell that
-/// bounds no more than its area times that distance is none.
+/// Sews the faces of each body by Open CASCADE's BRepBuilderAPI_Sewing, within what the gaps
+/// between its borders ask for (`border_gaps`). What closes becomes solids; a shell inside of
+/// another one is a void of it. A shell that bounds no more than its area times that distance is
+/// none.
 ///
 /// within   the widest gap that is one, see `border_gaps`
 /// stop     asked often; ends the work by an exception

@@ -17,6 +17,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
@@ -130,6 +131,16 @@ TEST(SewnFaces, CloseGapsSmallBesideTheirBordersAndSayHowWide) {
   ASSERT_EQ(made.solids.size(), 1U);
   EXPECT_NEAR(made.gap, 0.003, 1e-9);
   EXPECT_NEAR(volume_of(made), 1000, 1);
+}
+
+TEST(SewnFaces, AreSewnByTheirGapsNotByWhatTheirEdgesState) {
+  const Faces faces = loose_faces_of(box(1, 1, 1));
+  for (const TopoDS_Face& face : faces)
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+      BRep_Builder().UpdateEdge(TopoDS::Edge(it.Current()), 0.6);
+  const SewnFaces made = sewn(faces);
+  ASSERT_EQ(made.solids.size(), 1U);
+  EXPECT_LT(made.within, 1e-6);
 }
 
 TEST(SewnFaces, LeaveWiderGapsOpenUnlessTheyAreAllowed) {
