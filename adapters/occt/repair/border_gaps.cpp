@@ -29,8 +29,10 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kWidest = 0.01;  // of the shortest border
-// Parts of a border's parameter range. At its ends the next edges of its own face are near.
-constexpr std::array kInner = {1. / 6, 1. / 2, 5. / 6};
+// Places along a border's parameter range. At its ends the next edges of its own face are near.
+// Approximated curves swing about each other some times in each of their spans.
+constexpr int kInner = 15;
+constexpr double kFirst = 0.1, kLast = 0.9;
 constexpr std::array kEnds = {0., 1.};
 
 /// A border with its curve.
@@ -115,7 +117,8 @@ class Measuring {
   std::optional<double> gap_of(std::size_t border, DisjointSets& bodies) const {
     const LooseCurve& own = curves_[border];
     double widest = 0;
-    for (const double share : kInner) {
+    for (int i = 0; i < kInner; ++i) {
+      const double share = kFirst + (kLast - kFirst) * i / (kInner - 1);
       const std::vector<Near> near =
           all_near(own, share, [&](std::size_t other) { return other != border; });
       if (near.empty()) return std::nullopt;

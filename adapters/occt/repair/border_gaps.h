@@ -37,7 +37,7 @@ struct BorderGaps {
 /// Within how much borders are one that were measured to be so far apart: samples are lower bounds.
 double joined_within(double gap);
 
-/// The borders of faces, and how far each is from the nearest other ones, at five places of it.
+/// The borders of faces, and how far each is from the nearest other ones, at places along it.
 ///
 /// within   the widest gap that is one. Without it the tolerances of both edges, since readers put
 ///          the resolution that a file states there; or a hundredth of the shortest border if that

@@ -9,8 +9,10 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <TopExp.hxx>
@@ -90,6 +92,19 @@ TEST_F(SewingOfFiles, MakesTheSolidsOfIgesInBothModes) {
     ASSERT_EQ(after.size(), before.size());
     for (std::size_t i = 0; i < after.size(); ++i)
       EXPECT_LT(distance(after[i], before[i]), 1e-6) << "face " << i + 1;
+  }
+}
+
+// IGES has conics of revolution as approximations, which swing about each other.
+TEST_F(SewingOfFiles, MakesRoundSolidsToo) {
+  for (const TopoDS_Shape& shape :
+       {BRepPrimAPI_MakeCone(10, 0, 20).Shape(), BRepPrimAPI_MakeCone(10, 4, 20).Shape(),
+        BRepPrimAPI_MakeCylinder(10.05, 100).Shape(), BRepPrimAPI_MakeSphere(10).Shape(),
+        BRepPrimAPI_MakeTorus(20, 5).Shape()}) {
+    Model model = iges_of(shape, 0);
+    EXPECT_EQ(model.sew().solids.size(), 1U);
+    EXPECT_NEAR(testing::volume(model.shape()), testing::volume(shape),
+                1e-4 * testing::volume(shape));
   }
 }
 
