@@ -158,7 +158,7 @@ class PairIntersector {
       result.found = on_surface_of_both({result.face_a, result.face_b}, edges, *gap, within);
     } else {
       touches = find_known(i, j, edges, within, result.found)
-                    ? clip_known(a, b, result.found)
+                    ? clip_known(i, j, result.found)
                     : find_between(i, j, edges, result.found);
       drop_along_edges(result.found, touches, edges, options_.tolerances.point);
       weaken_along_trims(a.trims, b.trims, within, result.found);
@@ -255,12 +255,12 @@ class PairIntersector {
     return true;
   }
 
-  std::vector<Touch> clip_known(const FaceData& a, const FaceData& b,
-                                SurfaceIntersection& found) const {
+  std::vector<Touch> clip_known(std::size_t i, std::size_t j, SurfaceIntersection& found) const {
+    const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     if (found.curves.empty()) return clip(found, a.trims, &b.trims);
     const FaceTrims trims_a = cutting_trims(a.trims), trims_b = cutting_trims(b.trims);
     std::vector<Touch> touches = clip(found, trims_a, &trims_b, options_.tolerances.point);
-    prove_deviations(a, b, found);
+    prove_deviations(faces_a_.face(i), a, faces_b_.face(j), b, options_.tolerances.point, found);
     return touches;
   }
 

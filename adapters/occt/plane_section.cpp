@@ -106,7 +106,7 @@ class FaceSections {
     if (!found) return {};
     for (const Touch& touch : clip(*found, cutting_trims(face.trims), nullptr, tolerance_))
       found->points.push_back(touch.at);
-    prove_deviations(face, plane, *found);
+    prove_deviations(faces_.face(i), face, rectangle, plane, tolerance_, *found);
     return found;
   }
 
@@ -137,7 +137,7 @@ class FaceSections {
     curve.closed = found.closed;
     curve.tangential = found.tangential;
     curve.length = found.length;
-    curve.deviation = std::max({d.a, d.b, d.between});
+    curve.deviation = std::max(d.a, d.b);  // it has no image in the plane's parameters
     curve.deviation_proven = d.proven;
     for (const SurfacePoint& x : found.samples) curve.samples.push_back(x.point);
     const double far = kFar * curve.length;

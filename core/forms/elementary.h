@@ -28,6 +28,25 @@ struct Elementary {
   double angle = 0;    ///< in (0, pi / 2)
 };
 
+/// Such a surface in its natural parameters, lengths in model units and angles in radians. With
+/// e(u) = cos u x + sin u y:
+///
+///   plane      O + u x + v y
+///   cylinder   O + R e(u) + v z
+///   cone       O + (R + v sin a) e(u) + v cos a z
+///   sphere     O + R cos v e(u) + R sin v z
+///   torus      O + (R + r cos v) e(u) + r sin v z
+struct ElementaryChart {
+  ElementaryKind kind = ElementaryKind::Plane;
+  Vec3 origin{};
+  Vec3 x{1, 0, 0};  ///< orthonormal, right- or left-handed
+  Vec3 y{0, 1, 0};
+  Vec3 z{0, 0, 1};
+  double radius = 0;  ///< R
+  double minor = 0;   ///< r
+  double angle = 0;   ///< a, in (-pi / 2, pi / 2)
+};
+
 /// The part of a vector that is perpendicular to a unit vector.
 inline Vec3 across(const Vec3& vector, const Vec3& axis) {
   return vector - dot(vector, axis) * axis;

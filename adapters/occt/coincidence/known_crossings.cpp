@@ -7,11 +7,14 @@
 #include <numbers>
 #include <utility>
 
+#include <BRep_Tool.hxx>
 #include <gp_Pnt.hxx>
 
 #include "adapters/occt/coincidence/conic_images.h"
+#include "adapters/occt/tessellation/elementary_charts.h"
 #include "core/base/not_zero.h"
 #include "core/results/contact_places.h"
+#include "core/tracing/conic_deviation.h"
 #include "core/tracing/deviation.h"
 
 namespace blossom::occt {
@@ -177,10 +180,16 @@ FaceTrims cutting_trims(FaceTrims trims) {
   return trims;
 }
 
-void prove_deviations(const FaceData& a, const FaceData& b, SurfaceIntersection& found) {
-  for (IntersectionCurve& curve : found.curves)
-    if (curve.conic && !curve.deviation.proven)
-      curve.deviation = proven_deviation(curve, a.surface, b.surface);
+void prove_deviations(const TopoDS_Face& face_a, const FaceData& a, const TopoDS_Face& face_b,
+                      const FaceData& b, double tolerance, SurfaceIntersection& found) {
+  const auto chart_a = elementary_chart(BRep_Tool::Surface(face_a));
+  const auto chart_b = elementary_chart(BRep_Tool::Surface(face_b));
+  for (IntersectionCurve& curve : found.curves) {
+    if (!curve.conic || curve.deviation.proven) continue;
+    std::optional<Deviation> known;
+    if (chart_a && chart_b) known = conic_deviation(curve, *chart_a, *chart_b, tolerance);
+    curve.deviation = known ? *known : proven_deviation(curve, a.surface, b.surface);
+  }
 }
 
 }  // namespace blossom::occt

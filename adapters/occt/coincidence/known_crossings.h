@@ -31,7 +31,9 @@ std::optional<SurfaceIntersection> known_crossings(const TopoDS_Face& face_a, co
 /// Trims that cut all curves, even if they are the whole border of a surface.
 FaceTrims cutting_trims(FaceTrims trims);
 
-/// Replaces the sampled deviations of known crossings, which lie in both faces, by proven ones.
-void prove_deviations(const FaceData& a, const FaceData& b, SurfaceIntersection& found);
+/// Replaces the sampled deviations of known crossings, which lie in both faces, by proven ones: by
+/// closed forms where these are within tolerance.
+void prove_deviations(const TopoDS_Face& face_a, const FaceData& a, const TopoDS_Face& face_b,
+                      const FaceData& b, double tolerance, SurfaceIntersection& found);
 
 }  // namespace blossom::occt

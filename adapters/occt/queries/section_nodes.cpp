@@ -6,6 +6,8 @@
 #include <string>
 
 #include <BRep_Tool.hxx>
+#include <BndLib_Add3dCurve.hxx>
+#include <Bnd_Box.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <GeomAdaptor_Curve.hxx>
@@ -264,6 +266,12 @@ void SectionNodes::drop_joined(const std::vector<int>& becomes) {
 }
 
 std::vector<std::size_t> SectionNodes::lone_nodes() const {
+  std::vector<Bnd_Box> boxes;  // of the curves, with what is near enough to them but for the slack
+  for (const SectionCurve& curve : section_.curves) {
+    boxes.emplace_back();
+    BndLib_Add3dCurve::Add(GeomAdaptor_Curve(curve.curve), curve.range.from, curve.range.to,
+                           curve.tolerance + tolerance_, boxes.back());
+  }
   std::vector<bool> ended(section_.nodes.size());
   for (const SectionCurve& curve : section_.curves)
     for (const int node : curve.nodes)
@@ -274,10 +282,13 @@ std::vector<std::size_t> SectionNodes::lone_nodes() const {
     // Curves run over poles and seams.
     const Vec3& p = section_.nodes[i].point;
     const double reach = tolerance_ + slack_[i];
-    const bool passed =
-        std::any_of(section_.curves.begin(), section_.curves.end(), [&](const SectionCurve& curve) {
-          return distance_to(curve, p) <= curve.tolerance + reach;
-        });
+    Bnd_Box around;
+    around.Set(pnt(p));
+    around.SetGap(slack_[i]);
+    bool passed = false;
+    for (std::size_t k = 0; k < boxes.size() && !passed; ++k)
+      passed = !boxes[k].IsOut(around) &&
+               distance_to(section_.curves[k], p) <= section_.curves[k].tolerance + reach;
     if (!passed) lone.push_back(i);
   }
   return lone;
