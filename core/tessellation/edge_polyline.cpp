@@ -167,11 +167,18 @@ void EdgePolyline::prove() {
       if (gap > limit) refused.push_back(k);
     }
     if (refused.empty()) return;
-    split(refused);
+    halve(refused);
   }
 }
 
+// A chord over a half may be farther from its arc than that over the whole, where the curve swings
+// to both sides.
 void EdgePolyline::split(const std::vector<std::size_t>& segments) {
+  halve(segments);
+  prove();
+}
+
+void EdgePolyline::halve(const std::vector<std::size_t>& segments) {
   std::vector<double> parameters;
   std::vector<Vec3> points;
   auto next = segments.begin();

@@ -32,7 +32,7 @@ class EdgePolyline {
   /// A bound on the distance of the curve from the polyline and of that from the curve.
   double distance() const { return distance_; }
 
-  /// Puts a point into the middle of segments; numbers increase.
+  /// Puts a point into the middle of segments; numbers increase. The bound stays one.
   void split(const std::vector<std::size_t>& segments);
 
  private:
@@ -41,6 +41,7 @@ class EdgePolyline {
   void spread(bool closed);
   void breaks_between(std::size_t from, std::size_t to, int least);
   double distance_of(double from, const Vec3& a, double to, const Vec3& b) const;
+  void halve(const std::vector<std::size_t>& segments);
   void prove();
 
   CurveSpans curve_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Planes, cylinders, cones, spheres and tori in their natural parameters, and how far flat facets
-// are from them: the distance from these surfaces is known in closed form.
+// How far flat facets are from planes, cylinders, cones, spheres and tori: the distance from these
+// surfaces is known in closed form.
 
 #pragma once
 
@@ -12,24 +12,6 @@
 #include "core/tessellation/charts/jet_enclosure.h"
 
 namespace blossom {
-
-/// With e(u) = cos u x + sin u y, lengths in model units and angles in radians:
-///
-///   plane      O + u x + v y
-///   cylinder   O + R e(u) + v z
-///   cone       O + (R + v sin a) e(u) + v cos a z
-///   sphere     O + R cos v e(u) + R sin v z
-///   torus      O + (R + r cos v) e(u) + r sin v z
-struct ElementaryChart {
-  ElementaryKind kind = ElementaryKind::Plane;
-  Vec3 origin{};
-  Vec3 x{1, 0, 0};  ///< orthonormal, right- or left-handed
-  Vec3 y{0, 1, 0};
-  Vec3 z{0, 0, 1};
-  double radius = 0;  ///< R
-  double minor = 0;   ///< r
-  double angle = 0;   ///< a, in (-pi / 2, pi / 2)
-};
 
 /// The point, and the unit normal along S_u x S_v (where that is not 0).
 PointNormal frame_at(const ElementaryChart& chart, const Vec2& uv);

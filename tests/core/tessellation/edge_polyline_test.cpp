@@ -117,5 +117,19 @@ TEST(EdgePolyline, HalvesTheSegmentsThatItIsTold) {
   EXPECT_EQ(line.points()[2], (Vec3{6, 0, 0}));
 }
 
+// Chords over halves of a curve that swings are farther from it than the one over the whole.
+TEST(EdgePolyline, StaysWithinItsBoundWhenItIsSplit) {
+  const CurveSpans swing =
+      curve_spans(BezierCurve{{{0, 0, 0}, {20, 9, 0}, {40, -9, 0}, {60, -1, 0}, {80, 0, 0}}});
+  EdgePolyline line(swing, false, {.deviation = 6.9, .angle = 0});
+  ASSERT_EQ(line.segments(), 1u);
+  const double whole = sampled(swing, line);
+
+  line.split({0});
+
+  EXPECT_GT(sampled(swing, line), whole);
+  EXPECT_LE(sampled(swing, line), line.distance());
+}
+
 }  // namespace
 }  // namespace blossom
