@@ -27,15 +27,17 @@ ChartProjector::ChartProjector(ProjectedSurface surface, double tolerance, Polle
 
 Vec2 ChartProjector::foot(const Vec3& point, const std::optional<Vec2>& near) const {
   if (limit_ && limit_->reached()) throw LimitReached();
+  const Vec2 uv = nearest(point, near);
+  return near ? in_turn_of(*near, uv) : uv;
+}
+
+// Any of those that a period or a seam leaves to choose from.
+Vec2 ChartProjector::nearest(const Vec3& point, const std::optional<Vec2>& near) const {
   if (surface_.exact) return surface_.search(point);
-  Vec2 uv;
   // A point that the surface has within tolerance needs no search over all of it.
   const auto beside = near ? sharpened(point, bounded(*near), kMostNewtonSteps) : Sharpened{};
-  if (near && beside.gap <= tolerance_)
-    uv = beside.uv;
-  else
-    uv = sharpened(point, surface_.search(point), kNewtonSteps).uv;
-  return near ? in_turn_of(*near, uv) : uv;
+  if (near && beside.gap <= tolerance_) return beside.uv;
+  return sharpened(point, surface_.search(point), kNewtonSteps).uv;
 }
 
 // By whole periods, and from one side of a seam to the other.

@@ -42,14 +42,19 @@ Handle(Geom_Surface) whole_surface(const TopoDS_Face& face) {
   return basis_of(BRep_Tool::Surface(face));
 }
 
-// The parameters of the nearest point: of a plane by a formula, else searched within tolerance.
-std::function<Vec2(const Vec3&)> search_of(const Handle(Geom_Surface) & surface, double tolerance) {
+// The parameters of the nearest point by a formula; null if there is none for the surface.
+std::function<Vec2(const Vec3&)> formula_of(const Handle(Geom_Surface) & surface) {
   if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull())
     return [plane](const Vec3& point) {
       Vec2 uv;
       ElSLib::Parameters(plane->Pln(), pnt(point), uv[0], uv[1]);
       return uv;
     };
+  return {};
+}
+
+// The same by Open CASCADE's search, within tolerance.
+std::function<Vec2(const Vec3&)> search_of(const Handle(Geom_Surface) & surface, double tolerance) {
   const Handle(ShapeAnalysis_Surface) finder = new ShapeAnalysis_Surface(surface);
   return [finder, tolerance](const Vec3& point) {
     const gp_Pnt2d found = finder->ValueOfUV(pnt(point), tolerance);
@@ -60,8 +65,9 @@ std::function<Vec2(const Vec3&)> search_of(const Handle(Geom_Surface) & surface,
 ProjectedSurface projected(const Handle(Geom_Surface) & surface, double tolerance) {
   ProjectedSurface made;
   made.jet = [surface](const Vec2& uv) { return frame_at(surface, uv); };
-  made.search = search_of(surface, tolerance);
-  made.exact = surface->IsKind(STANDARD_TYPE(Geom_Plane));
+  made.search = formula_of(surface);
+  made.exact = made.search != nullptr;
+  if (!made.exact) made.search = search_of(surface, tolerance);
   if (surface->IsUPeriodic()) made.period[0] = surface->UPeriod();
   if (surface->IsVPeriodic()) made.period[1] = surface->VPeriod();
   surface->Bounds(made.low[0], made.high[0], made.low[1], made.high[1]);

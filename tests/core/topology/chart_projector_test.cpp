@@ -80,12 +80,14 @@ TEST(ChartProjector, PutsAPointOfASeamOnTheSideOfThePlace) {
   EXPECT_NEAR(feet.foot({2, 0, 1}, Vec2{0.3, 1})[0], 0, 1e-12);
 }
 
-TEST(ChartProjector, AsksAFormulaAndNothingElse) {
+TEST(ChartProjector, SharpensNothingThatAFormulaGives) {
   Tube tube;
   ProjectedSurface exact = tube.surface();
   exact.exact = true;
   const ChartProjector feet(exact, kTolerance);
-  EXPECT_DOUBLE_EQ(feet.foot(around(2, 0.7, 1), Vec2{0.7, 1})[0], 0.7001);  // as the tube searches
+  const double found = 0.7001;  // as the tube searches
+  EXPECT_DOUBLE_EQ(feet.foot(around(2, 0.7, 1), {})[0], found);
+  EXPECT_DOUBLE_EQ(feet.foot(around(2, 0.7, 1), Vec2{0.7 - 2 * pi, 1})[0], found - 2 * pi);
 }
 
 TEST(ChartProjector, MeasuresHowFarFeetAreFromBordersThatAreNoSeams) {
