@@ -9,6 +9,7 @@
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
@@ -48,6 +49,12 @@ std::function<Vec2(const Vec3&)> formula_of(const Handle(Geom_Surface) & surface
     return [plane](const Vec3& point) {
       Vec2 uv;
       ElSLib::Parameters(plane->Pln(), pnt(point), uv[0], uv[1]);
+      return uv;
+    };
+  if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface); !cylinder.IsNull())
+    return [cylinder](const Vec3& point) {
+      Vec2 uv;
+      ElSLib::Parameters(cylinder->Cylinder(), pnt(point), uv[0], uv[1]);
       return uv;
     };
   return {};
