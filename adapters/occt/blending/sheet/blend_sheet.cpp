@@ -442,6 +442,22 @@ void BlendSheet::add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patc
   }
 }
 
+// What closes the wire of a strip in its chart where a contact is a point.
+TopoDS_Edge BlendSheet::apex_edge(const PlacedStrip& of, std::size_t side,
+                                  const TopoDS_Face& face) const {
+  const BRep_Builder builder;
+  TopoDS_Edge edge;
+  builder.MakeEdge(edge);
+  const TopoDS_Vertex& vertex = of.ends[0].vertices[side];
+  builder.Add(edge, vertex.Oriented(TopAbs_FORWARD));
+  builder.Add(edge, vertex.Oriented(TopAbs_REVERSED));
+  builder.UpdateEdge(edge, of.strip.contact_line(of.strip.contacts[side].w), face,
+                     Precision::Confusion());
+  builder.Range(edge, of.ends[0].t[side], of.ends[1].t[side]);
+  builder.Degenerated(edge, Standard_True);
+  return TopoDS::Edge(edge.Oriented(side == 0 ? TopAbs_REVERSED : TopAbs_FORWARD));
+}
+
 // The contact edges and the face of a strip whose ends are known.
 void BlendSheet::finish(PlacedStrip& of) {
   const RolledStrip& strip = of.strip;
@@ -452,6 +468,8 @@ void BlendSheet::finish(PlacedStrip& of) {
     const double speed = strip.contacts[side].curve->DN(at(range, 0.5), 1).Magnitude();
     const bool is_point = std::abs(length(range)) * speed <= tolerance_ &&
                           of.ends[0].vertices[side].IsSame(of.ends[1].vertices[side]);
+    if (is_point && std::abs(length(range)) > 0 && speed == 0)
+      patch.edges.push_back(apex_edge(of, side, patch.face));
     if (is_point) continue;
     if (length(range) * speed < tolerance_) {
       const double whole = length(strip.edge_range);

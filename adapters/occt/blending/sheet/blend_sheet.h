@@ -210,6 +210,7 @@ class BlendSheet {
   void cut_notches(PlacedStrip& of, std::size_t side, const std::vector<Notch>& all);
   void cut_seams(PlacedStrip& of, std::size_t side);
   void add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patch);
+  TopoDS_Edge apex_edge(const PlacedStrip& of, std::size_t side, const TopoDS_Face& face) const;
   void finish(PlacedStrip& of);
   [[noreturn]] void refuse(const HalfEdge& half, FilletFault fault, const std::string& cause) const;
   /// What refusals call the line along which a blend meets its face, and what is too large of it.

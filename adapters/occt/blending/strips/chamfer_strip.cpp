@@ -10,6 +10,7 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
@@ -21,6 +22,7 @@
 #include <Precision.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Circ.hxx>
@@ -68,19 +70,35 @@ Borders borders_over(const Chamfering& of, const Interval& wanted, int steps) {
   return made;
 }
 
+// Whether a quantity is the same at all points of a border.
+template <class Value>
+bool is_constant(const Borders& borders, std::size_t side, double room, const Value& value) {
+  const auto first = value(0U);
+  for (std::size_t i = 1; i < borders.points[side].size(); ++i)
+    if (norm(value(i) - first) > room) return false;
+  return true;
+}
+
+// Whether a border is one point, as in the middle of an arc whose radius is the distance.
+bool is_point(const Borders& borders, std::size_t side, double room) {
+  return is_constant(borders, side, room,
+                     [&](std::size_t i) { return borders.points[side][i].point; });
+}
+
 // Beside an edge that is bent by no more than the distance a border goes where the edge goes.
 void check_ways(const Chamfering& of, const Borders& borders) {
-  for (std::size_t i = 0; i + 1 < borders.at.size(); ++i) {
-    const double x = 0.5 * (borders.at[i] + borders.at[i + 1]);
-    if (x < of.domain.from || x > of.domain.to) continue;
-    const Vec3 along = unit(vec(of.curve->DN(x, 1)));
-    for (const std::size_t k : {0U, 1U}) {
+  const double room = kSameForm * (of.profile.distance[0] + of.profile.distance[1]);
+  for (const std::size_t k : {0U, 1U}) {
+    if (is_point(borders, k, room)) continue;
+    for (std::size_t i = 0; i + 1 < borders.at.size(); ++i) {
+      const double x = 0.5 * (borders.at[i] + borders.at[i + 1]);
+      if (x < of.domain.from || x > of.domain.to) continue;
       const Vec3 way = borders.points[k][i + 1].point - borders.points[k][i].point;
-      if (dot(way, along) > kSameForm * of.profile.distance[k]) continue;
+      if (dot(way, unit(vec(of.curve->DN(x, 1)))) > 0) continue;
       throw FilletRefused({FilletFault::Pinch, of.edge,
                            "the edge is bent so much that the chamfer's border on face " +
                                std::to_string(of.body.use(of.edge, k == 0).face) +
-                               " shrinks to a point or turns back: the distance is too large",
+                               " turns back: the distance is too large",
                            x, borders.points[k][i].point, std::nullopt});
     }
   }
@@ -122,24 +140,30 @@ void set_fitted(const Chamfering& of, const Interval& range, RolledStrip& strip)
   set_contact(of, borders, 1, right, strip);
 }
 
-// Whether a quantity is the same at all points of a border.
-template <class Value>
-bool is_constant(const Borders& borders, std::size_t side, double room, const Value& value) {
-  const auto first = value(0U);
-  for (std::size_t i = 1; i < borders.points[side].size(); ++i)
-    if (norm(value(i) - first) > room) return false;
-  return true;
-}
-
 bool is_elementary(const Handle(Geom_Surface) & surface) {
   return !Handle(Geom_ElementarySurface)::DownCast(surface).IsNull();
+}
+
+// A chart curve that stays in a point.
+Handle(Geom2d_Curve) standing_chart(const Vec2& uv, const Interval& range) {
+  TColgp_Array1OfPnt2d poles(1, 2);
+  poles.Init({uv[0], uv[1]});
+  TColStd_Array1OfReal knots(1, 2);
+  knots(1) = range.from;
+  knots(2) = range.to;
+  TColStd_Array1OfInteger multiplicities(1, 2);
+  multiplicities.Init(2);
+  return new Geom2d_BSplineCurve(poles, knots, multiplicities, 1);
 }
 
 void add_border(const Chamfering& of, std::size_t side, const Handle(Geom_Curve) & curve, double w,
                 const BorderPoint& middle, RolledStrip& strip) {
   const int number = of.body.use(of.edge, side == 0).face;
   Handle(Geom2d_Curve) chart;
-  if (is_elementary(of.surfaces[side])) {
+  const auto circle = Handle(Geom_Circle)::DownCast(curve);
+  if (!circle.IsNull() && circle->Radius() == 0) {
+    chart = standing_chart(middle.uv, strip.range);
+  } else if (is_elementary(of.surfaces[side])) {
     const SurfaceProjector feet(of.body.face(number), Precision::Confusion());
     chart = image_of(curve, strip.range, feet, middle.uv, Precision::Confusion()).chart;
   } else {
@@ -186,7 +210,7 @@ bool set_round(const Chamfering& of, const Borders& borders, const gp_Circ& circ
     };
     if (!is_constant(borders, k, room, value)) return false;
     flat[k] = value(0);
-    if (flat[k][0] <= room) return false;
+    if (flat[k][0] <= room) flat[k][0] = 0;  // the apex
   }
   const double rise = flat[1][1] - flat[0][1], widening = flat[1][0] - flat[0][0];
   if (std::abs(rise) <= room) return false;
@@ -248,6 +272,10 @@ RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
   const bool exact =
       (form.GetType() == GeomAbs_Line && set_plane(of, borders, form.Line(), strip)) ||
       (form.GetType() == GeomAbs_Circle && set_round(of, borders, form.Circle(), strip));
+  const double room = kSameForm * (profile.distance[0] + profile.distance[1]);
+  if (!exact && (is_point(borders, 0, room) || is_point(borders, 1, room)))
+    of.refuse("the chamfer's border on a face is a point, in which only a cone can end",
+              at(of.domain, 0.5));
   if (!exact) set_fitted(of, {borders.at.front(), borders.at.back()}, strip);
   strip.outward = points_outwards(of, strip);
   return strip;
