@@ -8,9 +8,11 @@
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/base/compounds.h"
@@ -19,6 +21,16 @@
 
 namespace blossom::testing {
 namespace {
+
+// The same face with edges that have no ends.
+TopoDS_Shape without_vertices(const TopoDS_Shape& shape) {
+  const BRep_Builder builder;
+  TopoDS_Shape made = shape.EmptyCopied();
+  if (shape.ShapeType() == TopAbs_EDGE) return made;
+  for (TopoDS_Iterator it(shape, false); it.More(); it.Next())
+    builder.Add(made, without_vertices(it.Value()));
+  return made;
+}
 
 class LooseFaces : public ::testing::Test {
  protected:
@@ -97,6 +109,18 @@ TEST_F(LooseFaces, StayLooseWhereFacesAreEnough) {
 
 TEST_F(LooseFaces, StayLooseIfThatIsAskedFor) {
   EXPECT_TRUE(mass_of("box.brep", {"--sew-gap", "0"})["total"].is_null());
+}
+
+TEST_F(LooseFaces, ThatOpenCascadeFailsToSewStayLoose) {
+  std::vector<TopoDS_Shape> faces;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 20, 30).Shape();
+  for (TopExp_Explorer it(box, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(BRepBuilderAPI_Copy(it.Current()).Shape());
+  faces.front() = without_vertices(faces.front());
+  write(faces, "damaged.brep");
+  const Finished ran = blossom({"check", path("damaged.brep")});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("its loose faces stay loose: "), std::string::npos) << ran.err;
 }
 
 TEST_F(LooseFaces, ThatDoNotCloseAreToldWithThePlace) {
