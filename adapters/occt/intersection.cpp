@@ -179,7 +179,21 @@ class PairIntersector {
       std::erase_if(touches, [&](const Touch& touch) { return is_shared(touch.at); });
     }
     add_touches(touches, options_.tolerances.point, within, result.found);
+    trust_approximations(a.surface.error + b.surface.error, result.found);
     add_shapes(a, b, result);
+  }
+
+  // Places nearer than the tolerance are listed. If trims and shared edges leave nothing, what is
+  // approximated within less does not meet either. Where a result is not complete, approximations
+  // are among the reasons: a single one is theirs.
+  void trust_approximations(double error, SurfaceIntersection& found) const {
+    const bool apart = found.curves.empty() && found.points.empty() && found.nodes.empty() &&
+                       found.overlaps.empty() && found.places.empty();
+    if (!apart || found.status != Status::Tolerance || !(error > 0) ||
+        error >= options_.tolerances.point || found.certificate.reasons.size() != 1)
+      return;
+    found.status = Status::Complete;
+    found.certificate.reasons.clear();
   }
 
   // What two faces share may be all that they have in common.

@@ -24,6 +24,10 @@
 namespace blossom::occt {
 namespace {
 
+// Of the tolerance: two approximations are then together within half of it, and what they stand for
+// is apart where they are by the tolerance.
+constexpr double kApproximated = 0.25;
+
 constexpr double kBeyondTrims = 1e-3;  // of the box of the trims, on every side
 
 Interval wider(const Interval& side, const Interval& natural, double period) {
@@ -76,7 +80,7 @@ BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double toleranc
     trims.natural =
         trims.natural && length(box.u) == length(own.u) && length(box.v) == length(own.v);
   }
-  return bezier_surface(surface, box, tolerance, cuts);
+  return bezier_surface(surface, box, kApproximated * tolerance, cuts);
 }
 
 Handle(Geom_Curve) space_curve(const IntersectionCurve& curve) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
-#include <set>
 #include <utility>
 
 #include "core/forms/spans/homogeneous.h"
@@ -160,17 +160,29 @@ class SurfaceFit {
     BezierSurface result;
     for (int round = 0;; ++round) {
       result = fitted(u_knots, v_knots);
-      std::set<double> u_cuts(u_knots.begin(), u_knots.end());
-      std::set<double> v_cuts(v_knots.begin(), v_knots.end());
-      result.error = add_cuts(result, u_cuts, v_cuts);
-      const bool full = u_cuts.size() > kMaxSpans + 1 || v_cuts.size() > kMaxSpans + 1;
-      if (result.error <= tolerance_ || full || round == kMaxRounds) return result;
-      u_knots.assign(u_cuts.begin(), u_cuts.end());
-      v_knots.assign(v_cuts.begin(), v_cuts.end());
+      Cuts u_cuts, v_cuts;
+      result.error = find_cuts(result, u_cuts, v_cuts);
+      if (result.error <= tolerance_ || round == kMaxRounds) return result;
+      const bool more_u = add(u_cuts, u_knots), more_v = add(v_cuts, v_knots);
+      if (!more_u && !more_v) return result;
     }
   }
 
  private:
+  using Cuts = std::map<double, double>;  ///< places, and the largest error that each is to lessen
+
+  /// Adds the cuts that lessen the largest errors, as many as there is room for; whether any.
+  static bool add(const Cuts& cuts, std::vector<double>& knots) {
+    std::vector<std::pair<double, double>> largest;  // errors, negative, and places
+    for (const auto& [place, error] : cuts) largest.emplace_back(-error, place);
+    std::ranges::sort(largest);
+    const std::size_t room = kMaxSpans + 1 - std::min(knots.size(), kMaxSpans + 1);
+    largest.resize(std::min(largest.size(), room));
+    for (const auto& [error, place] : largest) knots.push_back(place);
+    std::ranges::sort(knots);
+    return !largest.empty();
+  }
+
   /// Values in the nodes, then the fit in one direction and in the other. Borders depend on
   /// values on the border alone, so neighbours share them bit for bit.
   RationalBezierPatch patch(const Interval& u, const Interval& v) const {
@@ -233,9 +245,12 @@ class SurfaceFit {
     return error;
   }
 
-  /// Adds the middles of spans that miss the tolerance; returns the largest error, with safety.
-  double add_cuts(const BezierSurface& fit, std::set<double>& u_cuts,
-                  std::set<double>& v_cuts) const {
+  /// The middles of spans that miss the tolerance; returns the largest error, with safety.
+  double find_cuts(const BezierSurface& fit, Cuts& u_cuts, Cuts& v_cuts) const {
+    const auto cut = [](Cuts& cuts, const Interval& span, double error) {
+      double& known = cuts[at(span, 0.5)];
+      known = std::max(known, error);
+    };
     double largest = 0;
     for (int r = 0; r < fit.patches.rows(); ++r)
       for (int c = 0; c < fit.patches.columns(); ++c) {
@@ -243,8 +258,8 @@ class SurfaceFit {
         const PatchError error = error_of(fit.patches(r, c), u, v);
         largest = std::max(largest, kErrorSafety * error.all);
         if (kErrorSafety * error.all <= tolerance_) continue;
-        if (error.u >= error.v / 4) u_cuts.insert(at(u, 0.5));
-        if (error.v >= error.u / 4) v_cuts.insert(at(v, 0.5));
+        if (error.u >= error.v / 4) cut(u_cuts, u, error.all);
+        if (error.v >= error.u / 4) cut(v_cuts, v, error.all);
       }
     return largest;
   }

@@ -452,9 +452,13 @@ class Assembly {
            "faces beside a common edge are too near each other to be told apart there");
   }
 
+  // Places nearer than the tolerance are listed: where none is, what is approximated within less
+  // does not meet either.
   void note_approximations() {
     const double error = std::max(a_.error, b_.error);
-    if (!(error > 0)) return;
+    const bool apart = result_.curves.empty() && result_.points.empty() && result_.places.empty() &&
+                       result_.status == Status::Complete;
+    if (!(error > 0) || (apart && a_.error + b_.error < options_.tolerances.point)) return;
     std::ostringstream text;
     text << "a surface is an approximation within " << error;
     weaken(Status::Tolerance, text.str());

@@ -67,5 +67,17 @@ TEST(FittedSurface, NeighboursShareTheirBorderBitForBit) {
         EXPECT_EQ(found.patches(r, c).points(0, j), found.patches(r - 1, c).points(5, j));
 }
 
+// Where there is no room for all, those go first that are off most.
+TEST(FittedSurface, SpendsItsSpansWhereTheErrorIs) {
+  const auto ridge = [](double s, double t) {
+    const double x = 60 * (s - 0.7);
+    return Vec3{s, t, 0.1 * std::sin(30 * s) + 0.02 / (1 + x * x)};
+  };
+  const BezierSurface fit = fitted_surface(ridge, {0, 1}, {0, 1}, 1e-12);
+  EXPECT_GE(fit.patches.rows(), 90);
+  EXPECT_LE(fit.patches.rows(), 96);
+  EXPECT_LT(fit.error, 1e-6);
+}
+
 }  // namespace
 }  // namespace blossom
