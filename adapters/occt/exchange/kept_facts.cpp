@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/exchange/kept_facts.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <ios>
@@ -162,6 +163,8 @@ class KeptDocument : public DocumentInterface {
   std::string text(Format, const std::string&) const override { refuse_change(); }
 
  private:
+  void join_parts(const SolidOfFaces& solid, const std::string& name);
+
   TopoDS_Shape shape_;
   KeptFacts facts_;
   Faces faces_;
@@ -178,6 +181,32 @@ void renumber(AssemblyNode& node, const std::vector<int>& now, const NumberedSha
       if (faces.contains(all.faces.FindIndex(first.Current()))) node.solids.push_back(i);
 }
 
+/// The first part with a face of a solid gets all of its faces.
+/// returns   whether other parts had some
+bool gather(std::vector<AssemblyNode>& nodes, const SolidOfFaces& solid, AssemblyNode*& first) {
+  bool several = false;
+  for (AssemblyNode& node : nodes) {
+    several = gather(node.parts, solid, first) || several;
+    if (!node.parts.empty()) continue;
+    const auto in_solid = [&](int face) { return solid.faces.contains(face); };
+    if (std::ranges::none_of(node.faces, in_solid)) continue;
+    if (first == nullptr) {
+      first = &node;
+      continue;
+    }
+    std::erase_if(node.faces, in_solid);
+    several = true;
+  }
+  return several;
+}
+
+void drop_empty(std::vector<AssemblyNode>& nodes) {
+  for (AssemblyNode& node : nodes) drop_empty(node.parts);
+  std::erase_if(nodes, [](const AssemblyNode& node) {
+    return node.faces.empty() && node.solids.empty() && node.parts.empty();
+  });
+}
+
 void reorder(std::vector<std::string>& words, const std::vector<int>& now) {
   std::vector<std::string> ordered(words.size());
   for (std::size_t i = 0; i < now.size(); ++i)
@@ -185,9 +214,28 @@ void reorder(std::vector<std::string>& words, const std::vector<int>& now) {
   words = std::move(ordered);
 }
 
+// As Document::put_solids does: what several parts have become together is called anew.
+void KeptDocument::join_parts(const SolidOfFaces& solid, const std::string& name) {
+  AssemblyNode* part = nullptr;
+  if (!gather(facts_.assembly, solid, part)) return;
+  part->product = name;
+  const bool is_root =
+      std::ranges::any_of(facts_.assembly, [&](const AssemblyNode& node) { return &node == part; });
+  if (is_root) part->name = part->path = name;
+  std::set<int> faces(part->faces.begin(), part->faces.end());
+  for (const auto& [number, face] : solid.faces) {
+    faces.insert(number);
+    facts_.paths[static_cast<std::size_t>(number) - 1] = part->path;
+    facts_.parts[static_cast<std::size_t>(number) - 1] = name;
+  }
+  part->faces.assign(faces.begin(), faces.end());
+  drop_empty(facts_.assembly);
+}
+
 // What was said of faces by their numbers follows them.
 void KeptDocument::put_solids(const Faces&, const std::vector<SolidOfFaces>& solids,
-                              const std::string&) {
+                              const std::string& name) {
+  for (const SolidOfFaces& solid : solids) join_parts(solid, name);
   const Faces before = faces_;
   const std::vector<Replacement> replacements = replacements_of(before, solids);
   shape_ = Rebuild(replacements)(shape_);

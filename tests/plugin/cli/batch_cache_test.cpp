@@ -9,7 +9,11 @@
 #include <string>
 #include <vector>
 
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
@@ -97,6 +101,22 @@ TEST_F(BatchCache, ChangesNoResult) {
   EXPECT_EQ(kept().size(), 3u);
   EXPECT_EQ(run({"--cache", cache}), without);
   EXPECT_EQ(testing::text_of(folder / "info.log").find("transferring"), std::string::npos);
+}
+
+TEST_F(BatchCache, ChangesNoResultOfLooseFacesThatBecomeASolid) {
+  std::vector<TopoDS_Face> faces;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+  for (TopExp_Explorer it(box, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(TopoDS::Face(BRepBuilderAPI_Copy(it.Current()).Shape()));
+  testing::write(faces, folder / "loose.iges");
+  lines.clear();
+  jobs = 0;
+  add({"query", "mass", "loose.iges", "--json", "-"});
+  add({"query", "mass", "loose.iges#solid:1", "--json", "-"});
+  const std::vector<std::string> without = run({});
+  EXPECT_NE(without.front().find("\"solids\":1"), std::string::npos) << without.front();
+  EXPECT_EQ(run({"--cache", cache}), without);
+  EXPECT_EQ(run({"--cache", cache}), without);
 }
 
 TEST_F(BatchCache, JobsAtTheSameTimeShareIt) {
