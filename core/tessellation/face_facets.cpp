@@ -222,10 +222,24 @@ class FacetBuilder {
            kSagitta * segment_gap(middle, a.point, b.point);
   }
 
+  Vec3 area_of(const std::array<int, 3>& corners) const {
+    const auto point = [&](std::size_t k) { return corners_[index(corners[k])].point; };
+    return cross(point(1) - point(0), point(2) - point(0));
+  }
+
+  // That of the corner which the facet is most across to, however the surface turns under it.
   Vec3 normal_at(const std::array<int, 3>& corners) const {
-    for (const int corner : corners)
-      if (const Vec3& n = corners_[index(corner)].normal; dot(n, n) > 0) return n;
-    return {};
+    const Vec3 area = area_of(corners);
+    Vec3 best;
+    double most = -1;
+    for (const int corner : corners) {
+      const Vec3& n = corners_[index(corner)].normal;
+      const double along = std::abs(dot(n, area));
+      if (!(dot(n, n) > 0) || along <= most) continue;
+      best = n;
+      most = along;
+    }
+    return best;
   }
 
   double distance_of(const std::array<int, 3>& corners) const {
@@ -338,8 +352,7 @@ class FacetBuilder {
   }
 
   bool is_folded(const std::array<int, 3>& corners) const {
-    const auto point = [&](std::size_t k) { return corners_[index(corners[k])].point; };
-    return dot(cross(point(1) - point(0), point(2) - point(0)), normal_at(corners)) < 0;
+    return dot(area_of(corners), normal_at(corners)) < 0;
   }
 
   // Borders whose chords are behind the other corner of a facet, though it is in front of them in

@@ -198,6 +198,54 @@ TEST(ShapeFacets, OfASphereAreClosedAndWithinTheDeviation) {
   }
 }
 
+// A strip that curls up at one border by far less than the deviation: there its normal has turned
+// by more than a right angle, which is no fold.
+TEST(ShapeFacets, OfALipAreNotFolded) {
+  const std::array<std::array<Vec3, 3>, 2> profile{
+      std::array{Vec3{0, 0, 0}, Vec3{-0.01, 0.01, 0}, Vec3{0.01, 0.01, 0}},
+      std::array{Vec3{0.01, 0.01, 0}, Vec3{0.5, 0.01, 0}, Vec3{1, 0.01, 0}}};
+  const Vec3 up{0, 0, 1};
+  BezierSurface surface;
+  surface.u_knots = {0, 0.01, 1};  // about its length
+  surface.v_knots = {0, 1};
+  surface.patches = Grid<RationalBezierPatch>(2, 1);
+  std::array<CurveSpans, 2> rims;
+  for (int k = 0; k < 2; ++k) {
+    Grid<Vec4>& net = surface.patches(k, 0).points;
+    net = Grid<Vec4>(3, 2);
+    for (int j = 0; j < 2; ++j) {
+      CurveSpan span;
+      for (int i = 0; i < 3; ++i) {
+        const Vec3 p = profile[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)] + j * up;
+        net(i, j) = {p[0], p[1], p[2], 1};
+        span.curve.points.push_back(net(i, j));
+      }
+      span.place = {surface.u_knots[static_cast<std::size_t>(k)],
+                    surface.u_knots[static_cast<std::size_t>(k) + 1]};
+      rims[static_cast<std::size_t>(j)].spans.push_back(span);
+    }
+  }
+  ShapeModel model;
+  model.vertices = {{0, 0, 0}, {1, 0.01, 0}, {1, 0.01, 1}, {0, 0, 1}};
+  model.edges = {{rims[0], 0, 1},
+                 {straight(model.vertices[1], model.vertices[2]), 1, 2},
+                 {rims[1], 3, 2},
+                 {straight(model.vertices[0], model.vertices[3]), 0, 3}};
+  ModelFace face;
+  face.surface = surface;
+  face.chart.corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  face.chart.borders = {line({0, 0}, {1, 0}, 0, 1), line({1, 0}, {1, 1}, 1, 2),
+                        line({0, 1}, {1, 1}, 2, 3, true), line({0, 0}, {0, 1}, 3, 0, true)};
+  face.edges = {0, 1, 2, 3};
+  model.faces.push_back(face);
+
+  const ShapeFacets facets = shape_facets(model, {.deviation = 0.1, .angle = 0});
+
+  EXPECT_TRUE(facets.faces[0].obstacle.empty()) << facets.faces[0].obstacle;
+  EXPECT_EQ(facets.faces[0].folded, 0);
+  EXPECT_LE(facets.faces[0].triangles.size(), 12u);
+}
+
 TEST(ShapeFacets, EndWithinAFaceWhenTold) {
   int asked = 0;
   const ShapeFacets facets =
