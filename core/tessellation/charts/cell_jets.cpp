@@ -167,10 +167,7 @@ CellJet cell_jet(const RationalBezierPatch& patch, const CellSide& u, const Cell
   made.jet.vv = (pv.first * pv.first) * S_tt + pv.second * S_t;
   made.jet.length_u = made.first_u.size();
   made.jet.length_v = made.first_v.size();
-  const double r_u = norm(made.first_u.radius), r_v = norm(made.first_v.radius);
-  const double normal = norm(cross(made.first_u.centre, made.first_v.centre));
-  made.jet.jacobian = std::max(
-      0.0, normal - norm(made.first_u.centre) * r_v - norm(made.first_v.centre) * r_u - r_u * r_v);
+  made.jet.jacobian = least_area(made.first_u, made.first_v);
   return made;
 }
 

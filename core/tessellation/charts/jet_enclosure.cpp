@@ -15,10 +15,24 @@ double extent(const std::array<Vec2, 3>& corners, int k) {
   return high - low;
 }
 
-// The second derivative in the middle of the ranges, along a side.
-Vec3 bend(const JetEnclosure& jet, const Vec2& e) {
-  return e[0] * e[0] * jet.uu.centre + 2 * e[0] * e[1] * jet.uv.centre +
-         e[1] * e[1] * jet.vv.centre;
+// The largest value of a quadratic form with these second derivatives over a facet less its linear
+// interpolation: along n, and by length.
+struct FormDistance {
+  double along = 0, whole = 0;
+};
+
+FormDistance form_distance(const Vec3& uu, const Vec3& uv, const Vec3& vv, const Vec3& n,
+                           const std::array<Vec2, 3>& corners) {
+  std::array<Vec3, 3> bends;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2 e = corners[(i + 1) % 3] - corners[(i + 2) % 3];
+    bends[i] = e[0] * e[0] * uu + 2 * e[0] * e[1] * uv + e[1] * e[1] * vv;
+  }
+  const auto along = [&](double sign) {
+    return largest_mean(sign * dot(n, bends[0]), sign * dot(n, bends[1]), sign * dot(n, bends[2]));
+  };
+  return {0.5 * std::max(along(1), along(-1)),
+          0.5 * largest_mean(norm(bends[0]), norm(bends[1]), norm(bends[2]))};
 }
 
 struct Extent {
@@ -40,6 +54,12 @@ VectorRange united(const VectorRange& a, const VectorRange& b) {
     both.radius[k] = 0.5 * (high - low);
   }
   return both;
+}
+
+double least_area(const VectorRange& a, const VectorRange& b) {
+  const double r_a = norm(a.radius), r_b = norm(b.radius);
+  return std::max(0.0, norm(cross(a.centre, b.centre)) - norm(a.centre) * r_b -
+                           norm(b.centre) * r_a - r_a * r_b);
 }
 
 JetEnclosure united(const JetEnclosure& a, const JetEnclosure& b) {
@@ -65,32 +85,40 @@ double largest_mean(double a, double b, double c) {
   return a * std::clamp(b * c / (4 * b * c - excess * excess), 0.25, 1.0 / 3);
 }
 
-double facet_distance(const JetEnclosure& jet, const Vec3& n, const std::array<Vec2, 3>& corners) {
-  std::array<Vec3, 3> bends;
-  for (std::size_t i = 0; i < 3; ++i)
-    bends[i] = bend(jet, corners[(i + 1) % 3] - corners[(i + 2) % 3]);
+double facet_distance(const JetEnclosure& jet, const Vec3& n, const std::array<Vec2, 3>& corners,
+                      const std::optional<QuadraticRest>& form) {
   const Extent extents{extent(corners, 0), extent(corners, 1)};
-  const auto along = [&](double sign) {
-    return largest_mean(sign * dot(n, bends[0]), sign * dot(n, bends[1]), sign * dot(n, bends[2]));
-  };
   const Vec3 size_n = absolute(n);
-  const double height =
-      0.5 * std::max(along(1), along(-1)) +
+  const FormDistance middle =
+      form_distance(jet.uu.centre, jet.uv.centre, jet.vv.centre, n, corners);
+  double height =
+      middle.along +
       extents.rest(jet.uu.spread_along(n), jet.uv.spread_along(n), jet.vv.spread_along(n)) +
       (extents.u * dot(size_n, jet.jump_u) + extents.v * dot(size_n, jet.jump_v)) / 4;
-  const double whole = 0.5 * largest_mean(norm(bends[0]), norm(bends[1]), norm(bends[2])) +
-                       extents.rest(norm(jet.uu.radius), norm(jet.uv.radius), norm(jet.vv.radius)) +
-                       (extents.u * norm(jet.jump_u) + extents.v * norm(jet.jump_v)) / 4;
-  if (!(jet.jacobian > 0)) return whole;
+  double whole = middle.whole +
+                 extents.rest(norm(jet.uu.radius), norm(jet.uv.radius), norm(jet.vv.radius)) +
+                 (extents.u * norm(jet.jump_u) + extents.v * norm(jet.jump_v)) / 4;
   // n is normal somewhere on the facet, so that |n S_u| is what S_u changes by.
-  const double slope_u =
+  double slope_u =
       extents.u * jet.uu.size_along(n) + extents.v * jet.uv.size_along(n) + dot(size_n, jet.jump_u);
-  const double slope_v =
+  double slope_v =
       extents.u * jet.uv.size_along(n) + extents.v * jet.vv.size_along(n) + dot(size_n, jet.jump_v);
-  const double sine = (slope_u * jet.length_v + slope_v * jet.length_u) / jet.jacobian;
+  double length_u = jet.length_u, length_v = jet.length_v, jacobian = jet.jacobian;
+  if (form) {
+    const FormDistance mean = form_distance(form->uu, form->uv, form->vv, n, corners);
+    height = std::min(height, mean.along + 2 * dot(size_n, form->rest));
+    whole = std::min(whole, mean.whole + 2 * norm(form->rest));
+    slope_u = std::min(slope_u, form->u.size_along(n));
+    slope_v = std::min(slope_v, form->v.size_along(n));
+    length_u = std::min(length_u, form->u.size());
+    length_v = std::min(length_v, form->v.size());
+    jacobian = std::max(jacobian, least_area(form->u, form->v));
+  }
+  if (!(jacobian > 0)) return whole;
+  const double sine = (slope_u * length_v + slope_v * length_u) / jacobian;
   if (!(sine < kSteepest)) return whole;
-  const double m = jet.jacobian * std::sqrt(1 - sine * sine);
-  const double d_u = whole * jet.length_v / m, d_v = whole * jet.length_u / m;
+  const double m = jacobian * std::sqrt(1 - sine * sine);
+  const double d_u = whole * length_v / m, d_v = whole * length_u / m;
   const double moved =
       0.5 * (d_u * d_u * jet.uu.size() + 2 * d_u * d_v * jet.uv.size() + d_v * d_v * jet.vv.size());
   return std::min(whole, height + 2 * (slope_u * d_u + slope_v * d_v) + 4 * moved);

@@ -10,6 +10,8 @@
 // Enclosures are M plus a rest R of bounded size, for which (l_u^2 R_uu + 2 l_u l_v R_uv + l_v^2
 // R_vv) / 8 bounds the sum, with l_u, l_v the facet's extent (Filip, Magedson, Markot 1986).
 //
+// A form Q that leaves a rest within E takes the place of M, and 2 E that of R.
+//
 // Only the part along the normal n is a distance: what is across it moves points within the
 // surface. With t the size of the part across, the parameters that cancel it are within
 //
@@ -22,6 +24,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/math/vec.h"
 
@@ -43,6 +46,9 @@ struct VectorRange {
 /// The smallest range that holds both.
 VectorRange united(const VectorRange& a, const VectorRange& b);
 
+/// A bound on |a x b| from below, with a and b anywhere in two ranges.
+double least_area(const VectorRange& a, const VectorRange& b);
+
 /// Derivatives of a surface over a rectangle of its parameters.
 struct JetEnclosure {
   VectorRange uu, uv, vv;
@@ -51,6 +57,13 @@ struct JetEnclosure {
   double jacobian = 0;  ///< at most |S_u x S_v|; 0 if not known
   /// Sums of |jump of S_u|, |jump of S_v| at knots inside, by coordinate.
   Vec3 jump_u, jump_v;
+};
+
+/// A surface over a rectangle beside a quadratic form (quadratic_rest.h).
+struct QuadraticRest {
+  Vec3 uu, uv, vv;   ///< second derivatives of the form
+  Vec3 rest;         ///< by coordinate, what the surface less the form is off an affine one at most
+  VectorRange u, v;  ///< first derivatives of the surface
 };
 
 JetEnclosure united(const JetEnclosure& a, const JetEnclosure& b);
@@ -66,6 +79,8 @@ double largest_mean(double a, double b, double c);
 /// jet       over the facet
 /// n         about the unit normal
 /// corners   in the parameters; two may be equal
-double facet_distance(const JetEnclosure& jet, const Vec3& n, const std::array<Vec2, 3>& corners);
+/// form      over the facet, too, if it is known: of two bounds the lower one counts
+double facet_distance(const JetEnclosure& jet, const Vec3& n, const std::array<Vec2, 3>& corners,
+                      const std::optional<QuadraticRest>& form = {});
 
 }  // namespace blossom

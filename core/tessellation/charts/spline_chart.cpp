@@ -12,6 +12,7 @@
 #include "core/subdivision/patch_subdivision.h"
 #include "core/tessellation/charts/cell_jets.h"
 #include "core/tessellation/charts/joined_jet.h"
+#include "core/tessellation/charts/quadratic_rest.h"
 #include "core/tessellation/charts/thin_spans.h"
 
 namespace blossom {
@@ -54,6 +55,23 @@ std::vector<double> even_cuts(int parts) {
   std::vector<double> cuts;
   for (int k = 0; k <= parts; ++k) cuts.push_back(static_cast<double>(k) / parts);
   return cuts;
+}
+
+// The patches as polynomials of the surface's own parameters; none if one is rational.
+Grid<BezierPatch> polynomials_of(const BezierSurface& surface) {
+  if (surface.u_law != ParameterLaw::Linear || surface.v_law != ParameterLaw::Linear) return {};
+  Grid<BezierPatch> polynomials(surface.patches.rows(), surface.patches.columns());
+  for (int i = 0; i < polynomials.rows(); ++i)
+    for (int j = 0; j < polynomials.columns(); ++j) {
+      const Grid<Vec4>& net = surface.patches(i, j).points;
+      polynomials(i, j).points = Grid<Vec3>(net.rows(), net.columns());
+      for (int k = 0; k < net.rows(); ++k)
+        for (int l = 0; l < net.columns(); ++l) {
+          if (net(k, l)[3] != net(0, 0)[3]) return {};
+          polynomials(i, j).points(k, l) = projected(net(k, l));
+        }
+    }
+  return polynomials;
 }
 
 struct Parts {
@@ -103,6 +121,7 @@ CurvatureSample curvature_of(const PatchJet& jet, double u, double v) {
 SplineChart::SplineChart(const BezierSurface& surface, double fine) : surface_(surface) {
   validate(surface, "to be meshed");
   drop_thin_spans(surface_, kThin * fine);
+  polynomials_ = polynomials_of(surface_);
   choose_cells(fine);
   enclose();
   find_jumps();
@@ -223,13 +242,18 @@ JetEnclosure SplineChart::jet_of_cells(const Vec2& low, const Vec2& high) const 
 }
 
 // Over the rectangle round the corners, and no more.
-std::optional<JetEnclosure> SplineChart::jet_of_own(const std::array<Vec2, 3>& corners) const {
+// Of a polynomial surface the cells' second derivatives do: they only say by how much a height
+// changes where the facet's points are moved within the surface.
+std::optional<double> SplineChart::own_distance(const JetEnclosure& of_cells,
+                                                const std::array<Vec2, 3>& corners,
+                                                const Vec3& normal) const {
   const auto [low, high] = rectangle_of(corners);
   const std::vector<double>&u = surface_.u_knots, &v = surface_.v_knots;
   const int i0 = span_of(u, low[0]), j0 = span_of(v, low[1]);
   const int i1 = std::max(i0, span_of(u, std::nextafter(high[0], low[0])));
   const int j1 = std::max(j0, span_of(v, std::nextafter(high[1], low[1])));
-  if ((i1 - i0 + 1) * (j1 - j0 + 1) > kMostPatches) return {};
+  const int rows = i1 - i0 + 1, columns = j1 - j0 + 1;
+  if (rows * columns > kMostPatches) return {};
   const auto part_of = [](const std::vector<double>& knots, ParameterLaw law, int i, double from,
                           double to) {
     const Interval span{knots[index(i)], knots[index(i + 1)]};
@@ -239,22 +263,32 @@ std::optional<JetEnclosure> SplineChart::jet_of_own(const std::array<Vec2, 3>& c
     to = std::clamp(to, from + least, span.to);
     return CellSide{span, law, {local_parameter(law, span, from), local_parameter(law, span, to)}};
   };
-  const int columns = j1 - j0 + 1;
-  std::array<JetEnclosure, kMostPatches> jets;
+  std::vector<JetEnclosure> jets;
+  std::vector<PlacedNet> nets;
+  const bool is_polynomial = polynomials_.rows() > 0;
+  nets.reserve(index(rows * columns));
   for (int i = i0; i <= i1; ++i)
     for (int j = j0; j <= j1; ++j) {
       const CellSide side_u = part_of(u, surface_.u_law, i, low[0], high[0]);
       const CellSide side_v = part_of(v, surface_.v_law, j, low[1], high[1]);
-      const RationalBezierPatch net = sub_patch(surface_.patches(i, j), side_u.part, side_v.part);
-      jets[index((i - i0) * columns + j - j0)] = cell_jet(net, side_u, side_v).jet;
+      if (is_polynomial)
+        nets.push_back({sub_patch(polynomials_(i, j), side_u.part, side_v.part),
+                        {at(side_u.span, side_u.part.from), at(side_u.span, side_u.part.to)},
+                        {at(side_v.span, side_v.part.from), at(side_v.span, side_v.part.to)}});
+      else
+        jets.push_back(
+            cell_jet(sub_patch(surface_.patches(i, j), side_u.part, side_v.part), side_u, side_v)
+                .jet);
     }
+  if (is_polynomial)
+    return blossom::facet_distance(of_cells, normal, corners, quadratic_rest(nets));
   JetEnclosure jet = joined_jet(
-      i1 - i0 + 1, columns,
+      rows, columns,
       [&](int i, int j) -> const JetEnclosure& { return jets[index(i * columns + j)]; },
       [&](int i) { return width_in(u, i0 + i, low[0], high[0]); },
       [&](int j) { return width_in(v, j0 + j, low[1], high[1]); });
   add_jumps(low, high, jet);
-  return jet;
+  return blossom::facet_distance(jet, normal, corners);
 }
 
 void SplineChart::add_jumps(const Vec2& low, const Vec2& high, JetEnclosure& jet) const {
@@ -278,10 +312,10 @@ JetEnclosure SplineChart::jet_over(const std::array<Vec2, 3>& corners) const {
 double SplineChart::facet_distance(std::array<Vec2, 3> corners, const Vec3& normal,
                                    double wanted) const {
   for (Vec2& corner : corners) corner = clamped(corner);
-  const double known = blossom::facet_distance(jet_over(corners), normal, corners);
+  const JetEnclosure of_cells = jet_over(corners);
+  const double known = blossom::facet_distance(of_cells, normal, corners);
   if (known <= wanted) return known;
-  const std::optional<JetEnclosure> own = jet_of_own(corners);
-  return own ? std::min(known, blossom::facet_distance(*own, normal, corners)) : known;
+  return std::min(known, own_distance(of_cells, corners, normal).value_or(known));
 }
 
 }  // namespace blossom

@@ -42,13 +42,15 @@ class SplineChart {
   JetEnclosure jet_over(const std::array<Vec2, 3>& corners) const;
   Vec2 clamped(const Vec2& uv) const;
   JetEnclosure jet_of_cells(const Vec2& low, const Vec2& high) const;
-  std::optional<JetEnclosure> jet_of_own(const std::array<Vec2, 3>& corners) const;
+  std::optional<double> own_distance(const JetEnclosure& of_cells,
+                                     const std::array<Vec2, 3>& corners, const Vec3& normal) const;
   void add_jumps(const Vec2& low, const Vec2& high, JetEnclosure& jet) const;
   void choose_cells(double fine);
   void enclose();
   void find_jumps();
 
   BezierSurface surface_;
+  Grid<BezierPatch> polynomials_;        // its patches, if none is rational
   std::vector<double> u_, v_;            // ends of cells
   std::vector<int> u_parts_, v_parts_;   // cells of each span
   Grid<JetEnclosure> jets_;              // of each cell, without jumps
