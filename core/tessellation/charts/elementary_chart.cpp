@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace blossom {
 namespace {
 
 // Of the radius: as near to the apex of a cone all angles are one point.
 constexpr double kAtApex = 1e-9;
+// Half of an arc, radians: of wider ones of a torus the closed form is not known.
+constexpr double kWideArc = 1.5;
 
 Vec3 radial(const ElementaryChart& chart, double u) {
   return std::cos(u) * chart.x + std::sin(u) * chart.y;
@@ -129,6 +132,27 @@ JetEnclosure torus_jet(const ElementaryChart& chart, const std::array<Vec2, 3>& 
   return jet;
 }
 
+// In the half-plane of a point of the facet the circle of corners with the same weights is left by
+// no more than the height of its arc, inwards. The point itself is nearer to the axis: by d, which
+// takes it by d cos v towards the middle of the tube or away from it; the distance from there is
+// convex.
+std::optional<double> torus_distance(const ElementaryChart& chart,
+                                     const std::array<Vec2, 3>& corners) {
+  const auto [u0, u1] = std::minmax({corners[0][0], corners[1][0], corners[2][0]});
+  const auto [v0, v1] = std::minmax({corners[0][1], corners[1][1], corners[2][1]});
+  const double R = chart.radius, r = chart.minor, half_v = 0.5 * (v1 - v0);
+  if (!(R > r) || !(half_v < kWideArc) || !(u1 - u0 < 2 * kWideArc)) return {};
+  // Of the cosine over the range of v: at its ends, or 1 and -1 inside.
+  const double turn = 2 * std::numbers::pi;
+  const auto holds = [&](double v) { return std::ceil((v0 - v) / turn) * turn + v <= v1; };
+  const auto [low, high] = std::minmax({std::cos(v0), std::cos(v1)});
+  const double most = holds(0) ? 1 : high, least = holds(std::numbers::pi) ? -1 : low;
+  const double d = (R + r * most) * (1 - std::cos(0.5 * (u1 - u0)));
+  const double inside = r * (1 - std::cos(half_v)) + d * std::max(most, 0.0);
+  const double outside = d * std::max(-least, 0.0) + d * d / (2 * r * std::cos(half_v));
+  return std::max(inside, outside);
+}
+
 }  // namespace
 
 PointNormal frame_at(const ElementaryChart& chart, const Vec2& uv) {
@@ -169,9 +193,11 @@ double facet_distance(const ElementaryChart& chart, const std::array<Vec2, 3>& c
     }
     case ElementaryKind::Cone: return cone_distance(chart, corners);
     case ElementaryKind::Sphere: return sphere_distance(chart, corners);
-    case ElementaryKind::Torus:
-      return facet_distance(torus_jet(chart, corners), hand(chart) * outwards(chart, corners[0]),
-                            corners);
+    case ElementaryKind::Torus: {
+      const double by_jet = facet_distance(torus_jet(chart, corners),
+                                           hand(chart) * outwards(chart, corners[0]), corners);
+      return std::min(by_jet, torus_distance(chart, corners).value_or(by_jet));
+    }
   }
   return 0;
 }

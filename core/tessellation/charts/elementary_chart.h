@@ -25,7 +25,10 @@ CurvatureSample curvature_at(const ElementaryChart& chart, const Vec2& uv);
 ///   cylinder   R (1 - cos(w / 2)), w the width of the facet in u
 ///   cone       the largest (R + v sin a) (1 - cos(u - u_m)) cos a of a corner, u_m their middle
 ///   sphere     R minus the distance of the facet from the centre
-///   torus      by second derivatives (jet_enclosure.h)
+///   torus      with d = (R + r c) (1 - cos(w / 2)), h the width in v, c and s the largest cos v
+///   and
+///              -cos v, the larger one of r (1 - cos(h / 2)) + d c and d s + d^2 / (2 r cos(h /
+///              2)); or by second derivatives (jet_enclosure.h), if that is less
 ///
 /// corners    on the surface; two may be equal
 double facet_distance(const ElementaryChart& chart, const std::array<Vec2, 3>& corners);

@@ -95,6 +95,20 @@ TEST(FacetDistanceOf, ACylinderIsTheHeightOfTheArc) {
               2 * (1 - std::sqrt(0.5)), 1e-15);
 }
 
+// By second derivatives bounds are farther above: they count what moves points within the surface.
+TEST(FacetDistanceOf, ATorusIsNearTheTruthForLargeFacets) {
+  auto random = seeded(21);
+  const ElementaryChart chart{.kind = ElementaryKind::Torus, .radius = 12, .minor = 4};
+  for (int trial = 0; trial < 500; ++trial) {
+    const double u = uniform(random, 0, 6), v = uniform(random, -3, 3);
+    const double w = uniform(random, 0.1, 0.4), h = uniform(random, 0.2, 0.6);
+    const std::array corners{Vec2{u, v}, Vec2{u + w, v}, Vec2{u + w / 2, v + h}};
+    const double bound = facet_distance(chart, corners), sampled = sampled_height(chart, corners);
+    EXPECT_LE(sampled, bound + kRounding);
+    EXPECT_LE(bound, 3.5 * sampled) << u << ' ' << v << ' ' << w << ' ' << h;
+  }
+}
+
 // Corners on a line up to rounding: as along a seam, where a fine mesh has many of them.
 TEST(FacetDistanceOf, ANeedleOnASphereIsTheHeightOfItsLongestSide) {
   auto random = seeded(11);
