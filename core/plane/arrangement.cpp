@@ -163,6 +163,16 @@ bool order_beside(std::span<Arm> arms, double tolerance) {
   return true;
 }
 
+// Whether two neighbouring arms begin so far beside each other that, by their directions, the left
+// one still lies on the right half the way along the shorter one.
+bool change_sides_later(const Arm& right, const Arm& left, double tolerance) {
+  const Vec2 along = direction_of(right);
+  const double beside = cross(along, right.start - left.start), turn = left.angle - right.angle;
+  if (beside <= tolerance || turn > 0.25 * std::numbers::pi) return false;
+  const double reach = std::min(reach_along(right, along), reach_along(left, along));
+  return 2 * beside >= reach * std::tan(turn);
+}
+
 // Orders arms of about one direction from right to left, so far from the vertex.
 void order_at(double distance, std::span<Arm> arms) {
   const Vec2 along = direction_of(arms.front());
@@ -174,11 +184,19 @@ void order_at(double distance, std::span<Arm> arms) {
   for (std::size_t i = 0; i < arms.size(); ++i) arms[i] = placed[i].second;
 }
 
-// Orders arms of one direction from right to left.
+// Orders arms of one direction from right to left. Where they bend alike, too, so that directions
+// do not tell them apart farther on either, half the way along the shortest does, and where that
+// turns back at once a point farther on.
 void order_by_bend(std::span<Arm> arms) {
-  std::sort(arms.begin(), arms.end(), [](const Arm& a, const Arm& b) {
+  const Vec2 along = direction_of(arms.front());
+  double reach = reach_along(arms.front(), along);
+  for (const Arm& arm : arms) reach = std::min(reach, reach_along(arm, along));
+  for (Arm& arm : arms)
+    if (reach > 0) arm.secant = offset_at(arm, along, 0.5 * reach) / reach;
+  std::sort(arms.begin(), arms.end(), [reach](const Arm& a, const Arm& b) {
     const double size = std::max(std::abs(a.curvature), std::abs(b.curvature));
-    if (std::abs(a.curvature - b.curvature) > kSameDirection * size)
+    const double apart = std::abs(a.curvature - b.curvature);
+    if (apart > kSameDirection * size && (!(reach > 0) || apart * reach > kSameDirection))
       return a.curvature < b.curvature;
     return a.secant < b.secant;
   });
@@ -202,7 +220,9 @@ void order(std::vector<Arm>& arms, double tolerance) {
     double touch = 0;  // where all of these arms are ordered, if any two touch
     for (high = low + 1; high < arms.size(); ++high) {
       const double length = touch_length(arms[high - 1], arms[high], tolerance);
-      if (length == 0 && arms[high].angle - arms[high - 1].angle >= kSameDirection) break;
+      if (length == 0 && arms[high].angle - arms[high - 1].angle >= kSameDirection &&
+          !change_sides_later(arms[high - 1], arms[high], tolerance))
+        break;
       touch = std::max(touch, length);
     }
     const std::span<Arm> alike = std::span(arms).subspan(low, high - low);

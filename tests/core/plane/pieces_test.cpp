@@ -237,6 +237,27 @@ TEST(Pieces, CutBesideTheRimFromAVertexThatCoversBothDividesThere) {
   expect_areas(bent, {kBeside * (4 + 2e-8), 16 - kBeside * (4 + 2e-8)});
 }
 
+// At less than the angle to which the ends of fitted curves are known.
+TEST(Pieces, StraightCutAtATinyAngleToTheRimDividesThere) {
+  for (const double rise : {2e-7, 1e-8}) {
+    Square low({{}, {rise}, {}, {}});
+    low.cut(0, 4, {line({0, 0}, {4, rise})});
+    expect_areas(low, {2 * rise, 16 - 2 * rise});
+    Square back({{}, {}, {}, {4 - rise}});
+    back.cut(4, 1, {line({0, rise}, {4, 0})});
+    expect_areas(back, {2 * rise, 16 - 2 * rise});
+  }
+}
+
+// It begins beside a vertex that covers both and comes to the rim again in the next vertex.
+TEST(Pieces, CutThatComesDownToTheRimFromBesideAVertexDividesThere) {
+  constexpr double kBeside = 1e-5, kTolerance = 1e-7;
+  Square square({{2}, {}, {}, {}});
+  square.cut(0, 4, {line({0, kBeside}, {2, 0})});
+  EXPECT_EQ(pieces(square.arcs, kTolerance).pieces.size(), 2u);
+  EXPECT_TRUE(pieces(square.arcs, kTolerance).dangling.empty());
+}
+
 TEST(Pieces, LoopsThatTouchInAVertexAreHolesOfTheirOwn) {
   Square square({{2}, {}, {}, {}});  // vertex 4 = (2, 0)
   square.cut(4, 4, arc({2, 0.5}, 0.5, -pi / 2, 1.5 * pi));
