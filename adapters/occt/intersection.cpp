@@ -290,15 +290,22 @@ class PairIntersector {
     return touches;
   }
 
-  // Planes that cross do so in a line; all else is searched.
+  // Planes that cross do so in a line; all else is searched, and where planes at a small angle keep
+  // within tolerance of each other beside their line.
   SurfaceIntersection between(std::size_t i, std::size_t j,
                               const std::vector<SharedEdge>& edges) const {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     if (&a == &b) return with_itself(a, options_for(a, b, edges));
     auto line = crossing_of_planes(BRep_Tool::Surface(faces_a_.face(i)),
                                    BRep_Tool::Surface(faces_b_.face(j)), common_box(a, b),
-                                   kBeyondBox * std::max(diagonal(a.box), diagonal(b.box)));
-    return line ? *std::move(line) : found_between(i, j, edges);
+                                   kBeyondBox * std::max(diagonal(a.box), diagonal(b.box)),
+                                   options_.tolerances.point);
+    if (!line) return found_between(i, j, edges);
+    if (line->curves.empty() || line->curves.front().least_angle > kSlowAngle)
+      return *std::move(line);
+    SurfaceIntersection found = found_between(i, j, edges);
+    found.curves = std::move(line->curves);
+    return found;
   }
 
   // A curve that touches the line between two spans of an arc may stay open; the line is our own

@@ -26,8 +26,10 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kMinSine = 1e-4;      // of planes that cross: the line is known to 1e4 roundings
+constexpr double kMinSine = 1e-4;      // of the angles of a parallelogram
 constexpr double kRounding = 0x1p-48;  // of the coordinates
+// Sine of the angle between planes whose line has no direction: normals are known to 1e-16.
+constexpr double kParallel = 1e-13;
 
 std::optional<Elementary> elementary_of(const Adaptor3d_Surface& surface) {
   Elementary of;
@@ -143,7 +145,8 @@ std::optional<Elementary> flat_spline(const Handle(Geom_Surface) & surface) {
 
 std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface) & a,
                                                       const Handle(Geom_Surface) & b,
-                                                      const Box& box, double beyond) {
+                                                      const Box& box, double beyond,
+                                                      double tolerance) {
   const auto plane_a = Handle(Geom_Plane)::DownCast(basis_of(a));
   const auto plane_b = Handle(Geom_Plane)::DownCast(basis_of(b));
   if (plane_a.IsNull() || plane_b.IsNull()) return {};
@@ -151,15 +154,22 @@ std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface)
              nb = vec(plane_b->Axis().Direction().XYZ());
   const Vec3 along = cross(na, nb);
   const double sine = norm(along);
-  if (sine < kMinSine) return {};
-  // The point of the line next to the middle of the box, which keeps the digits.
   const Vec3 middle = 0.5 * (box.low + box.high);
   const double off_a = dot(vec(plane_a->Location().XYZ()) - middle, na);
   const double off_b = dot(vec(plane_b->Location().XYZ()) - middle, nb);
-  const Vec3 start =
-      middle + (1 / (sine * sine)) * (off_a * cross(nb, along) + off_b * cross(along, na));
-  const Vec3 direction = (1 / sine) * along;
-  const Interval range = inside(box, start, direction);
+  const double opposite = dot(na, nb) < 0 ? -1 : 1;
+  if (sine < kParallel) return {};
+  if (std::abs(off_a - opposite * off_b) + 0.5 * diagonal(box) * sine <= tolerance) return {};
+  // The point of the line next to the middle of the box, which keeps the digits. At a small angle
+  // rounding moves it along the planes, but not off them: it is put into one of them, and moved in
+  // it to the other one.
+  const Vec3 direction = unit(along - dot(along, na) * na), across = cross(direction, na);
+  const Vec3 in_a = middle + off_a * na;
+  const double rise = dot(vec(plane_b->Location().XYZ()) - in_a, nb);
+  const Vec3 start = in_a + (rise / dot(across, nb)) * across;
+  const Interval range = inside(widened(box, tolerance), start, direction);
+  const double angle = std::atan2(sine, std::abs(dot(na, nb)));
+  if (!(range.from <= range.to) && angle < kSlowAngle) return {};
   SurfaceIntersection found;
   found.certificate.certified = range.from <= range.to ? 1 : 0;
   found.certificate.excluded = 1 - found.certificate.certified;
@@ -167,8 +177,7 @@ std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface)
   const double coordinate = std::max(max_norm(box.low), max_norm(box.high));
   found.curves.push_back(line_curve(plane_a->Pln(), plane_b->Pln(), start, direction,
                                     {range.from - beyond, range.to + beyond},
-                                    kRounding * coordinate / sine));
-  const double angle = std::atan2(sine, std::abs(dot(na, nb)));
+                                    kRounding * coordinate));
   found.curves.back().least_angle = found.certificate.least_angle = angle;
   return found;
 }

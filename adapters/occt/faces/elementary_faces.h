@@ -21,15 +21,22 @@ std::optional<Elementary> elementary_of(const Handle(Geom_Surface) & surface);
 /// The plane of a parallelogram that is written as a B-spline of degree 1; nothing for others.
 std::optional<Elementary> flat_spline(const Handle(Geom_Surface) & surface);
 
+/// Radians: planes that cross at less keep within tolerance of each other beside their line for
+/// longer than 1e4 tolerances, as what touches does.
+inline constexpr double kSlowAngle = 1e-4;
+
 /// The line in which two planes cross, as far as a box holds it and a little more on either end.
 ///
-/// a, b      Geom_Plane, or trimmed ones
-/// box       holds what the faces may have in common
-/// beyond    the length on either end, model units: it should not be short beside the faces
-/// returns   nothing if the sine of the angle between the planes is below 1e-4 or the surfaces are
-///           not both planes; a result without a curve if the line misses the box
+/// a, b       Geom_Plane, or trimmed ones
+/// box        holds what the faces may have in common
+/// beyond     the length on either end, model units: it should not be short beside the faces
+/// tolerance  within which planes that keep to each other all over the box are one; model units
+/// returns    nothing if the planes are one or parallel, if they cross at a small angle beside the
+///            box, or the surfaces are not both planes; a result without a curve if the line misses
+///            the box
 std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface) & a,
                                                       const Handle(Geom_Surface) & b,
-                                                      const Box& box, double beyond);
+                                                      const Box& box, double beyond,
+                                                      double tolerance);
 
 }  // namespace blossom::occt

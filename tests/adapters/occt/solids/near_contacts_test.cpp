@@ -8,6 +8,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -203,6 +204,33 @@ TEST(NearContacts, AnAttemptThatFailsLeavesTolerancesAsTheyWere) {
   widen(true);
   EXPECT_EQ(BRep_Tool::Tolerance(vertex), 1e-3);
   EXPECT_EQ(BRep_Tool::Tolerance(edge), 1e-4);
+}
+
+// Two boxes with a common edge, one turned about a line across it: their top sides cross at an
+// angle at which they are apart by many tolerances at the ends, and within one of them for long.
+TEST(NearContacts, SidesThatCrossAtATinyAngleDivideEachOtherInALine) {
+  for (const double angle : {8e-8, 3e-7, 2e-6, 5e-5}) {
+    SCOPED_TRACE(angle);
+    const TopoDS_Shape a = BRepPrimAPI_MakeBox(gp_Pnt(-100, 0, -100), gp_Pnt(100, 200, 0));
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1({0, 0, 0}, gp::DY()), angle);
+    const TopoDS_Shape b =
+        BRepBuilderAPI_Transform(
+            BRepPrimAPI_MakeBox(gp_Pnt(-60, 50, -40), gp_Pnt(70, 150, 0)).Shape(), turn, true)
+            .Shape();
+    // Above the top side of a lies a wedge of b of 60 by 60 times the angle.
+    const double wedge = 0.5 * 60 * 60 * std::tan(angle) * 100, whole = 130 * 100 * 40;
+    const SolidTrimResult common =
+        trim_solids(trim_tool(a), {trim_tool(b)}, SolidOperation::Common);
+    ASSERT_EQ(common.obstacles.empty() ? std::string() : common.obstacles.front(), "");
+    EXPECT_NEAR(common.total.result, whole - wedge, 1e-9 * whole);
+    const SolidTrimResult cut = trim_solids(trim_tool(b), {trim_tool(a)}, SolidOperation::Cut);
+    ASSERT_EQ(cut.obstacles.empty() ? std::string() : cut.obstacles.front(), "");
+    EXPECT_NEAR(cut.total.result, wedge, 1e-9 * whole);
+    for (const SolidTrimResult* made : {&common, &cut})
+      for (const TopoDS_Solid& solid : made->solids)
+        EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
+  }
 }
 
 }  // namespace
