@@ -235,6 +235,20 @@ PlanarCurve chart_curve(const FaceTrims& trims, const Spline2& chart) {
   return transformed(simplest_curve(chart), trims.scale, {});
 }
 
+bool is_covered(const FaceTrims& trims, const std::vector<Coedge>& loop, double least) {
+  double area = 0, covered = 0;
+  for (const Coedge& coedge : loop) {
+    const double sign = coedge.reversed ? -1 : 1, width = std::max(least, coedge.tolerance);
+    for (const PlanarSpan& span : coedge.curve.spans) {
+      const auto& points = span.curve.points;
+      area += sign * area_along(PlanarPath{span.curve}, trims.corners.front());
+      for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        covered += width * distance(projected(points[i]), projected(points[i + 1]));
+    }
+  }
+  return std::abs(area) <= covered;
+}
+
 std::vector<Vec2> period_shifts(const FaceTrims& trims, const PlanarCurve& curve) {
   const PlanarBox box = box_of(curve);
   std::array<std::vector<double>, 2> moves;

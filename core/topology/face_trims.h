@@ -92,6 +92,10 @@ Vec2 end_point(const Coedge& coedge, bool last);
 /// The chart curve of a cut in the chart coordinates of the trims.
 PlanarCurve chart_curve(const FaceTrims& trims, const Spline2& chart);
 
+/// Whether a loop encloses no more than the strips that its edges' tolerances cover along it.
+/// least   of a tolerance, chart coordinates
+bool is_covered(const FaceTrims& trims, const std::vector<Coedge>& loop, double least);
+
 /// The moves by whole periods that bring a curve over the box of the trims; none if no move does.
 std::vector<Vec2> period_shifts(const FaceTrims& trims, const PlanarCurve& curve);
 

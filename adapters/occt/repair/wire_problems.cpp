@@ -38,26 +38,6 @@ bool apart(const PlanarBox& a, const PlanarBox& b, double margin) {
   return false;
 }
 
-double length_of(const Coedge& coedge) {
-  double length = 0;
-  for (const PlanarSpan& span : coedge.curve.spans)
-    for (std::size_t i = 0; i + 1 < span.curve.points.size(); ++i)
-      length += distance(projected(span.curve.points[i]), projected(span.curve.points[i + 1]));
-  return length;
-}
-
-// What the loop encloses is no more than its edges' tolerances cover.
-bool is_degenerate(const FaceTrims& trims, const std::vector<Coedge>& loop) {
-  double area = 0, covered = 0;
-  for (const Coedge& coedge : loop) {
-    const double sign = coedge.reversed ? -1 : 1;
-    for (const PlanarSpan& span : coedge.curve.spans)
-      area += sign * area_along(PlanarPath{span.curve}, trims.corners.front());
-    covered += std::max(Precision::Confusion(), coedge.tolerance) * length_of(coedge);
-  }
-  return std::abs(area) <= covered;
-}
-
 // The nearest corner that joins the two, or infinitely far.
 double from_common_corner(const FaceTrims& trims, const Coedge& a, const Coedge& b,
                           const Vec2& point) {
@@ -181,7 +161,7 @@ std::vector<Problem> wire_problems(const TopoDS_Face& face) {
   std::vector<Problem> problems;
   std::vector<PlacedCoedge> all;
   for (std::size_t i = 0; i < trims.loops.size(); ++i) {
-    if (is_degenerate(trims, trims.loops[i]))
+    if (is_covered(trims, trims.loops[i], Precision::Confusion()))
       problems.push_back({"a wire encloses no more than its edges' tolerances cover"});
     for (const Coedge& coedge : trims.loops[i])
       all.push_back({&coedge, box_of(coedge.curve), static_cast<int>(i)});

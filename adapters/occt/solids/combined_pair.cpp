@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -28,6 +29,8 @@ namespace blossom::occt {
 namespace {
 
 constexpr const char* kMeasuring = "measuring volumes";
+constexpr const char* kCoveredFace =
+    "a face would be no wider than what the tolerances of its edges cover";
 
 // One piece of a solid and what its cone adds.
 struct Measured {
@@ -107,13 +110,25 @@ Results results_of(const std::vector<Measured>& part, const std::vector<Measured
   return made;
 }
 
+void tell_left_out(int shells, SolidTrimResult& result) {
+  result.thin.push_back((shells == 1 ? "a shell" : std::to_string(shells) + " shells") +
+                        std::string(" of no more than what tolerances of edges cover, left out"));
+  result.status = weaker(result.status, Status::Tolerance);
+}
+
 void add_solids(const Chosen& chosen, const WorkLimit& limit, SolidTrimResult& result) {
   std::string obstacle;
-  const std::vector<TopoDS_Solid> solids =
-      guarded("making solids", [&] { return solids_of(chosen.faces, obstacle, &limit); });
+  int left_out = 0;
+  const std::vector<TopoDS_Solid> solids = guarded(
+      "making solids", [&] { return solids_of(chosen.faces, obstacle, &limit, &left_out); });
   if (!obstacle.empty()) result.obstacles.push_back(obstacle);
   result.solids.insert(result.solids.end(), solids.begin(), solids.end());
-  result.faces.insert(result.faces.end(), chosen.origins.begin(), chosen.origins.end());
+  TopTools_MapOfShape kept;
+  for (const TopoDS_Solid& solid : solids)
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) kept.Add(it.Current());
+  std::ranges::copy_if(chosen.origins, std::back_inserter(result.faces),
+                       [&](const SolidFace& face) { return kept.Contains(face.face); });
+  if (left_out > 0) tell_left_out(left_out, result);
 }
 
 // Measures the results of pieces and makes the solids that are asked for.
@@ -167,6 +182,8 @@ SolidTrimResult combined_at(const PairJob& job, Attempt attempt,
     if (result.obstacles.empty() && !are_valid(result.solids, valid, limit) &&
         !(cover_tangent_corners(result.solids, valid) && are_valid(result.solids, valid, limit)))
       result.obstacles.emplace_back(kInvalidSolid);
+    if (result.obstacles.empty() && has_covered_face(result.solids, valid))
+      result.obstacles.emplace_back(kCoveredFace);
     if (!part.is_solid() && result.obstacles.empty() && !are_valid(result.faces, valid))
       result.obstacles.emplace_back(kInvalidFace);
   } catch (const Failure& error) {

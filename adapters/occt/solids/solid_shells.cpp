@@ -10,11 +10,15 @@
 #include <optional>
 #include <utility>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -40,6 +44,9 @@ constexpr const char* kMakingSolids = "making solids";
 constexpr double kStep = 1e-3;  // of an edge's length: how far into a face is looked
 // Of the cones over a far apex: where so little is left of them, it may be that faces end apart.
 constexpr double kCancelled = 1e-2;
+// Ways between the vertices of a shell: edges of one that its tolerances cover are no longer. A
+// choice; a longer one only keeps the shell.
+constexpr double kDetour = 4;
 
 struct Shell {
   TopoDS_Shell shape;
@@ -223,6 +230,37 @@ std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string
   return all;
 }
 
+// Whether a shell encloses no more than the balls of its vertices and the tubes of its edges, as
+// far as their tolerances reach: which way it is turned is rounding then. Lengths of edges take
+// time, so they are measured only where the way between vertices, for each edge, would do.
+bool is_covered(const Shell& shell) {
+  TopTools_IndexedMapOfShape vertices, edges;
+  TopExp::MapShapes(shell.shape, TopAbs_VERTEX, vertices);
+  TopExp::MapShapes(shell.shape, TopAbs_EDGE, edges);
+  Bnd_Box box;
+  double balls = 0, widest = 0;
+  for (int i = 1; i <= vertices.Extent(); ++i) {
+    const TopoDS_Vertex vertex = TopoDS::Vertex(vertices(i));
+    box.Add(BRep_Tool::Pnt(vertex));
+    const double reach = BRep_Tool::Tolerance(vertex);
+    widest = std::max(widest, reach);
+    balls += 4.0 / 3.0 * std::numbers::pi * reach * reach * reach;
+  }
+  const double apart = box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
+  const double tube = std::numbers::pi * widest * widest;
+  const double volume = std::abs(shell.volume);
+  if (volume > balls + tube * kDetour * apart * edges.Extent()) return false;
+  double tubes = 0;
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const TopoDS_Edge edge = TopoDS::Edge(edges(i));
+    if (BRep_Tool::Degenerated(edge)) continue;
+    const double reach = BRep_Tool::Tolerance(edge);
+    tubes +=
+        std::numbers::pi * reach * reach * GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge));
+  }
+  return volume <= balls + tubes;
+}
+
 // Whether a point lies in a closed shell; nothing if rays cannot tell.
 std::optional<bool> holds(const TopoDS_Shell& shell, const gp_Pnt& point) try {
   std::vector<TopoDS_Face> faces;
@@ -270,8 +308,9 @@ std::vector<std::size_t> bodies_of(const std::vector<BoundingFace>& faces, std::
 }
 
 std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
-                                    const WorkLimit* limit) {
-  const std::vector<Shell> shells = shells_of(faces, obstacle, limit);
+                                    const WorkLimit* limit, int* left_out) {
+  std::vector<Shell> shells = shells_of(faces, obstacle, limit);
+  if (left_out != nullptr) *left_out += static_cast<int>(std::erase_if(shells, is_covered));
   const BRep_Builder builder;
   std::vector<TopoDS_Solid> by_shell(shells.size());
   for (std::size_t i = 0; i < shells.size(); ++i)

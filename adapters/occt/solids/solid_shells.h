@@ -30,12 +30,14 @@ std::vector<std::size_t> bodies_of(const std::vector<BoundingFace>& faces, std::
 /// Faces hang together over their edges, each of which has to be used as often in one direction as
 /// in the other. Where bodies touch in an edge, the two faces of one body's corner belong together,
 /// so that the bodies stay apart. A shell that is turned inwards is a void of the smallest solid
-/// around it.
+/// around it. Solids and voids that enclose no more than the tolerances of their edges and vertices
+/// cover are left out: which way they are turned is rounding.
 ///
 /// obstacle   why there are none; else as it was
 /// limit      asked at each edge that many faces use, void and solid; null: none
+/// left_out   counts the shells that are left out; null: none is
 /// throws     Failure when the limit is reached
 std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
-                                    const WorkLimit* limit = nullptr);
+                                    const WorkLimit* limit = nullptr, int* left_out = nullptr);
 
 }  // namespace blossom::occt

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepCheck_Shell.hxx>
@@ -27,6 +29,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/solids/validity/faces_to_check.h"
 #include "adapters/occt/solids/validity/polygon_faces.h"
 #include "core/math/interval.h"
@@ -55,6 +58,42 @@ bool shells_are_valid(const TopoDS_Solid& solid) {
     if (!has_none(shell->Status()) || !has_none(shell->StatusOnShape(solid))) return false;
   }
   return true;
+}
+
+constexpr int kAreaSteps = 8;      // of each edge: chords of a circle enclose 0.9 of it
+constexpr double kAreaMargin = 4;  // of what is covered: a face with less is looked at exactly
+
+// By chords, which take next to no time. A face that goes round, as the side of a cylinder does,
+// may have no area by them.
+bool may_be_covered(const TopoDS_Face& face) {
+  gp_XYZ area, origin;
+  double length = 0, widest = 0;
+  bool first = true;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    Interval range;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+    if (curve.IsNull()) continue;
+    widest = std::max(widest, BRep_Tool::Tolerance(edge));
+    gp_XYZ before = curve->Value(range.from).XYZ();
+    if (std::exchange(first, false)) origin = before;
+    const double sign = edge.Orientation() == TopAbs_REVERSED ? -0.5 : 0.5;
+    for (int i = 1; i <= kAreaSteps; ++i) {
+      const gp_XYZ next = curve->Value(at(range, static_cast<double>(i) / kAreaSteps)).XYZ();
+      area += sign * (before - origin).Crossed(next - origin);
+      length += (next - before).Modulus();
+      before = next;
+    }
+  }
+  return area.Modulus() <= kAreaMargin * widest * length;
+}
+
+bool is_sliver(const TopoDS_Face& face) {
+  if (!may_be_covered(face)) return false;
+  const FaceTrims trims = face_trims(face);
+  return std::ranges::any_of(trims.loops, [&](const std::vector<Coedge>& loop) {
+    return is_covered(trims, loop, Precision::Confusion());
+  });
 }
 
 constexpr double kRoundings = 8;  // of the largest coordinate: how far off a point of an edge is
@@ -128,6 +167,13 @@ bool cover_corners_of(const TopoDS_Face& face) {
 }
 
 }  // namespace
+
+bool has_covered_face(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShape& known) {
+  for (const TopoDS_Solid& solid : solids)
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+      if (!known.Contains(it.Current()) && is_sliver(TopoDS::Face(it.Current()))) return true;
+  return false;
+}
 
 bool cover_tangent_corners(const std::vector<TopoDS_Solid>& solids,
                            const TopTools_MapOfShape& known) {

@@ -25,6 +25,12 @@ bool is_valid(const TopoDS_Solid& solid, const TopTools_MapOfShape& known);
 bool are_valid(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShape& known,
                const WorkLimit& limit);
 
+/// Whether a new face is a sliver that its edges' tolerances cover: `is_covered` in
+/// core/topology/face_trims.h.
+///
+/// known   as of are_valid
+bool has_covered_face(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShape& known);
+
 /// Lets vertices cover the places beside them in which edges that leave them in one direction cross
 /// in the parameters of a face, as BRepCheck sees them, by rounding alone: what touches with a
 /// radius r keeps within t for sqrt(8 r t).

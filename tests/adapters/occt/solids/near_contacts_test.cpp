@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -26,7 +27,9 @@
 #include <gp_Circ.hxx>
 #include <gp_Vec.hxx>
 
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/solid_trim.h"
+#include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/solids/tolerances/kept_tolerances.h"
 #include "tests/support/measures.h"
 
@@ -231,6 +234,27 @@ TEST(NearContacts, SidesThatCrossAtATinyAngleDivideEachOtherInALine) {
       for (const TopoDS_Solid& solid : made->solids)
         EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
   }
+}
+
+std::vector<BoundingFace> faces_of_cube(double size, double tolerance) {
+  const TopoDS_Shape cube = BRepPrimAPI_MakeBox(size, size, size).Shape();
+  ShapeFix_ShapeTolerance().SetTolerance(cube, tolerance);
+  std::vector<BoundingFace> faces;
+  for (TopExp_Explorer it(cube, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back({TopoDS::Face(it.Current()), cone_volume(TopoDS::Face(it.Current()), {})});
+  return faces;
+}
+
+// Balls of 1e-6 round its corners hold more than a cube of that size, balls and tubes of 1e-7 less.
+TEST(NearContacts, SolidsThatTheirTolerancesCoverAreLeftOutAndCounted) {
+  std::string obstacle;
+  int left_out = 0;
+  EXPECT_TRUE(solids_of(faces_of_cube(1e-6, 1e-6), obstacle, nullptr, &left_out).empty());
+  EXPECT_EQ(left_out, 1);
+  EXPECT_EQ(solids_of(faces_of_cube(1e-6, 1e-7), obstacle, nullptr, &left_out).size(), 1u);
+  EXPECT_EQ(left_out, 1);
+  EXPECT_EQ(solids_of(faces_of_cube(1e-6, 1e-6), obstacle).size(), 1u);  // nobody would be told
+  EXPECT_EQ(obstacle, "");
 }
 
 }  // namespace
