@@ -224,7 +224,7 @@ SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidO
   if (first.obstacles.empty() || limit.is_reached()) return first;
   const double point = options.tolerances.point;
   const double scale =
-      contact_scale(contact_gaps(part, tool, kLiesReach * kLiesReach * point, limit), point);
+      contact_scale(contact_gaps(part, tool, kLooseReach * kLooseReach * point, limit), point);
   struct Way {
     Attempt attempt;
     double tolerance;

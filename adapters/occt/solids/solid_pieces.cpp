@@ -29,7 +29,8 @@
 namespace blossom::occt {
 namespace {
 
-// In tolerances of the faces' edges: how long a piece of an intersection may be left out.
+// In tolerances of points or of the faces' edges: how long a piece of an intersection may be left
+// out.
 constexpr double kMaxRest = 10;
 
 // One solid on its way through the work; one entry for each face.
@@ -185,14 +186,6 @@ double largest_tolerance(const TopoDS_Face& face) {
   return largest;
 }
 
-// Whether an edge may be farther off its faces than what lies on them.
-bool has_loose_edge(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
-  const auto has_loose = [&](const TopoDS_Face& face) {
-    return largest_tolerance(face) > kLiesReach * options.tolerances.point;
-  };
-  return std::ranges::any_of(a.faces, has_loose) || std::ranges::any_of(b.faces, has_loose);
-}
-
 void add_notes(const Side& side, std::size_t face, SolidPieces& result) {
   for (const std::string& note : side.faces[face].split().notes)
     result.obstacles.push_back(side.face_name(face) + ": " + note);
@@ -207,7 +200,8 @@ bool divides_sheet(const Side& a, const Side& b, const Spline& curve, const Curv
 }
 
 void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
-                const CommonEdges& common, EdgeUnion& joined, SolidPieces& result) {
+                const CommonEdges& common, double tolerance, EdgeUnion& joined,
+                SolidPieces& result) {
   const auto on_a = curve_edges(a, uses.size());
   const auto on_b = curve_edges(b, uses.size());
   for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -216,8 +210,8 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
     // Ends that stick out over the border of a face by its edges' tolerances, or by what a vertex
     // is uncertain, are left out; more would be an intersection that is lost.
     const double allowed =
-        std::max(kMaxRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
-                                     largest_tolerance(b.solid->faces[use.face_b])),
+        std::max(kMaxRest * std::max({tolerance, largest_tolerance(a.solid->faces[use.face_a]),
+                                      largest_tolerance(b.solid->faces[use.face_b])}),
                  use.uncertainty);
     const bool alike = match(on_a[i], on_b[i]);
     if (use.touch && !alike) continue;  // what only touches may divide one face alone
@@ -382,7 +376,7 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
     result.obstacles.push_back(cause);
   for (const Side* side : {&side_a, &side_b}) join_laid(*side, joined, result);
   attempt("joining the solids", limit, result,
-          [&] { join_edges(side_a, side_b, uses, common, joined, result); });
+          [&] { join_edges(side_a, side_b, uses, common, tolerance, joined, result); });
   if (!result.obstacles.empty()) {
     keep_curves(found, common, untold);
     return result;
@@ -448,8 +442,7 @@ SolidPieces other_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
     return pieces_of(a, b, faces, EdgeTouches::Sought, lying, left(), ignored);
   };
   for (const EdgesLie lying : {EdgesLie::WithinTolerance, EdgesLie::WithinOwn}) {
-    if (limit.is_reached() || (lying == EdgesLie::WithinOwn && !has_loose_edge(a, b, options)))
-      break;
+    if (limit.is_reached()) break;
     other = again(first, lying);
     if (other.obstacles.empty()) return other;
   }

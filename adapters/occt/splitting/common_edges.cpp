@@ -53,7 +53,7 @@ CommonEdges::CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<To
     : a_(a),
       b_(b),
       options_(options),
-      reach_(kLiesReach * options.tolerances.point),
+      reach_((lying == EdgesLie::WithinOwn ? kLooseReach : kLiesReach) * options.tolerances.point),
       lying_(lying),
       in_a_(a.size()),
       in_b_(b.size()) {

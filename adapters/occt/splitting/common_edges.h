@@ -30,8 +30,13 @@
 
 namespace blossom::occt {
 
-/// How near is on a surface or an edge of the other shape, in tolerances.
-inline constexpr double kLiesReach = 10;
+/// How near is on a surface or an edge of the other shape, in tolerances: each of the two may be
+/// off by one. What the intersection of faces tells apart, which is more than one tolerance, is not
+/// to lie on each other.
+inline constexpr double kLiesReach = 2;
+
+/// The same for shapes that are worse than they state. A choice.
+inline constexpr double kLooseReach = 10;
 
 /// Edges of two shapes that keep within tolerance of each other.
 struct EdgesAlong {
@@ -55,7 +60,7 @@ struct EdgeBlur {
 /// What lies in a face of the other shape.
 enum class EdgesLie {
   WithinTolerance,  ///< parts of edges
-  WithinOwn,        ///< also whole edges that keep within their own tolerances of it
+  WithinOwn,  ///< what keeps within `kLooseReach`, and whole edges within their own tolerances
 };
 
 class CommonEdges {

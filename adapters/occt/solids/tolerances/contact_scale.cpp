@@ -162,24 +162,24 @@ std::vector<double> contact_gaps(const TrimTool& a, const TrimTool& b, double re
 }
 
 double contact_scale(const std::vector<double>& gaps, double tolerance) {
-  const double reach = kLiesReach * kLiesReach * tolerance;
+  const double reach = kLooseReach * kLooseReach * tolerance;
   double below = tolerance;
   Interval widest{tolerance, tolerance};
   const auto end_range = [&](double above) {
     if (above * widest.from > widest.to * below) widest = {below, above};
   };
   for (const double gap : gaps) {
-    if (gap > kMargin * kLiesReach * tolerance) {
+    if (gap > kMargin * kLooseReach * tolerance) {
       end_range(std::min(gap, reach));
       break;
     }
     if (gap > below) end_range(gap);
     below = std::max(below, kMargin * gap);
   }
-  if (gaps.empty() || gaps.back() <= kMargin * kLiesReach * tolerance)
+  if (gaps.empty() || gaps.back() <= kMargin * kLooseReach * tolerance)
     end_range(kMargin * kMargin * reach);  // it is wider than what was looked at
   return std::min(std::sqrt(widest.from * widest.to),
-                  std::max(kLiesReach * tolerance, widest.from));
+                  std::max(kLooseReach * tolerance, widest.from));
 }
 
 }  // namespace blossom::occt

@@ -19,15 +19,15 @@ std::vector<double> contact_gaps(const TrimTool& a, const TrimTool& b, double re
 
 /// The distance at which things are one, where the gaps leave it open.
 ///
-/// Dividing faces takes what is as near as `kLiesReach` tolerances to an edge or a surface for
-/// being on it, while the intersection of faces tells apart what is farther than one: a gap between
-/// the two is both. Between neighbouring gaps the tolerance makes no difference to what is one, and
-/// the farther it is from both, the less depends on rounding.
+/// Dividing faces may take what is as near as `kLooseReach` tolerances to an edge or a surface
+/// for being on it, while the intersection of faces tells apart what is farther than one: a gap
+/// between the two is both. Between neighbouring gaps the tolerance makes no difference to what is
+/// one, and the farther it is from both, the less depends on rounding.
 ///
-/// gaps      increasing; at least all up to the square of `kLiesReach` in tolerances
+/// gaps      increasing; at least all up to the square of `kLooseReach` in tolerances
 /// returns   the geometric mean of the ends of the widest range, by their ratio, without gaps
-///           above the tolerance that begins within `kLiesReach` of it; no more than that, or than
-///           what covers a gap as wide as that
+///           above the tolerance that begins within `kLooseReach` of it; no more than that, or
+///           than what covers a gap as wide as that
 double contact_scale(const std::vector<double>& gaps, double tolerance);
 
 }  // namespace blossom::occt

@@ -275,6 +275,15 @@ TEST(RandomSolids, AnEdgeMayVanishInItsVertex) {
 
 TEST(RandomSolids, APlaneMayCutACylinderInWhatIsNearlyACircle) { expect_right(41559); }
 
+// The intersection of faces and what lies on them are told by one distance.
+TEST(RandomSolids, RimsMayPassEachOtherByAFewTolerances) {
+  for (const int seed : {20349, 41326, 41415, 60463}) expect_right(seed);
+}
+
+TEST(RandomSolids, SolidsMayBeTurnedByAFewTolerances) {
+  for (const int seed : {3234, 41806, 50664, 60695}) expect_right(seed);
+}
+
 TEST(RandomSolids, AreCombinedAsClosedFormsAndOpenCascadeSay) {
   const int first = setting("BLOSSOM_SEED", 0), trials = setting("BLOSSOM_TRIALS", 100);
   int wrong = 0, refused = 0;
