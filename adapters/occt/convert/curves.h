@@ -42,7 +42,8 @@ CurveSpans bezier_spans(const Handle(Geom2d_Curve) & curve, const Interval& rang
 /// throws   BadModel if the edge has no curve in space, or as above
 CurveSpans bezier_spans(const TopoDS_Edge& edge, double tolerance = Tolerances{}.point);
 
-/// As of a curve in space, with no other laws than surfaces and nets have: hyperbolas are approximated, too.
+/// As of a curve in space, with no other laws than surfaces and nets have: hyperbolas are
+/// approximated, too.
 CurveSpans profile_spans(const Handle(Geom_Curve) & curve, const Interval& range,
                          double tolerance = Tolerances{}.point, ArcCuts cuts = ArcCuts::Even);
 

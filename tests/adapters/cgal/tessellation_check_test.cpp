@@ -126,8 +126,8 @@ TEST(TessellationByCgal, OfNarrowFacesComesToAnEnd) {
       testing::repaired_model(std::filesystem::path(data) / "models" / "d150_fused.brep");
   for (const double deviation : {0.2, 0.05, 0.01}) {
     int asked = 0;
-    const occt::ShapeTessellation made = occt::tessellation(
-        model.shape(), {.deviation = deviation}, [&] { return ++asked < kMostAsked; });
+    const occt::ShapeTessellation made = occt::tessellation(model.shape(), {.deviation = deviation},
+                                                            [&] { return ++asked < kMostAsked; });
     EXPECT_FALSE(made.facets.stopped) << deviation;
     EXPECT_LE(made.facets.distance, deviation * 1.01);
   }

@@ -150,8 +150,7 @@ TEST_F(BadShapes, AnOpenSolidIsCutAsASheetAndSaysSo) {
   const Finished run = blossom({"trim", folder / "bad.brep", folder / "ball.brep", "--solid", "cut",
                                 "-o", folder / "out.step"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.out.find("bad.brep is taken as a sheet: its shell is open"),
-            std::string::npos)
+  EXPECT_NE(run.out.find("bad.brep is taken as a sheet: its shell is open"), std::string::npos)
       << run.out;
 }
 

@@ -190,8 +190,8 @@ Vec2 Rolling::centre() const {
                              section.flat_direction(side.corner.inwards)) > 0;
       // Of two balls that lean on an edge, one is on the other side of the faces.
       if (held[k] > 0)
-        beside = beside && offset * dot(each - edge_point,
-                                        section.flat_direction(side.corner.normal)) > 0;
+        beside = beside &&
+                 offset * dot(each - edge_point, section.flat_direction(side.corner.normal)) > 0;
     }
     if (beside && (!best || distance(each, edge_point) < distance(*best, edge_point))) best = each;
   }
