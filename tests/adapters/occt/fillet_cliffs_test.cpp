@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -104,6 +105,22 @@ TEST(FilletAtACliff, OfTheUpperEdgeLeansOnTheLowerOne) {
   const FilletResult made = fillet(shape, {edge_where(shape, {0, 5, 2})}, {.radius = 5});
   expect_sound(made);
   EXPECT_NEAR(more_in(made), -10 * Corner(5, 2).area, 1e-9);
+}
+
+// A low pad ends where the floor goes on, and a slot in the middle of the block.
+TEST(FilletAtACliff, EndsWhereTheFloorGoesOnOrTheWallDoesNot) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(20, 20, 10).Shape();
+  const TopoDS_Shape pad =
+      BRepAlgoAPI_Fuse(block, BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 10), 12, 12, 2).Shape()).Shape();
+  const TopoDS_Shape slot =
+      BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeBox(gp_Pnt(7, 10, 8), 6, 10, 2).Shape()).Shape();
+  const double area = Corner(3, 2).area;
+  for (const auto& [shape, middle, size] :
+       {std::tuple{pad, Vec3{12, 6, 12}, 12.0}, {slot, Vec3{7, 15, 10}, 10.0}}) {
+    const FilletResult made = fillet(shape, {edge_where(shape, middle)}, {.radius = 3});
+    expect_sound(made);
+    EXPECT_NEAR(more_in(made), -size * area, 1e-9);
+  }
 }
 
 TEST(FilletAtACliff, RoundALowBossLeansOnItsRim) {

@@ -120,7 +120,7 @@ void BlendSheet::add(const BallWalk& walk) {
   for (const WalkedStrip& each : walk.strips) {
     strips_.push_back({each.strip, each.inside, {}, {}});
     // The contact takes the place of what the ball leans on.
-    for (const int edge : each.strip.held)
+    for (const int edge : each.strip.bend)
       if (edge > 0) border_.filleted.push_back(edge);
   }
   for (const RunEdge& each : walk.run.edges) {

@@ -284,11 +284,11 @@ void BlendSheet::cap(const Ring& ring) {
   double w = strip_of(half).strip.contacts[left_side(half)].w;
   if (face != last && !turns_back(ring, true) && !turns_back(ring, false)) {
     // Of a face over which the ball leans on an edge nothing is left here, nor of its border.
-    const std::array<int, 2>& held = strip_of(half).strip.held;
-    const int on_left = held[left_side(half)] > 0 ? ring[1].half.edge : entered;
-    const int on_right = held[right_side(half)] > 0 ? ring.back().half.edge : left_at;
+    const std::array<int, 2>& bend = strip_of(half).strip.bend;
+    const int on_left = bend[left_side(half)] > 0 ? ring[1].half.edge : entered;
+    const int on_right = bend[right_side(half)] > 0 ? ring.back().half.edge : left_at;
     for (const bool is_left : {true, false})
-      if (held[is_left ? left_side(half) : right_side(half)] > 0)
+      if (bend[is_left ? left_side(half) : right_side(half)] > 0)
         border_.filleted.push_back(is_left ? on_left : on_right);
     if (takes_over(ring, face, last, on_right, right.vertex))
       last = face;

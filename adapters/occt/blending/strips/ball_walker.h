@@ -30,7 +30,7 @@ double nearest_on_edge(const BodyEdges& body, int edge, const Vec3& point);
 
 /// The edges on which the ball leans, to the left and right of the way.
 inline std::array<int, 2> held_by(const WalkedStrip& of) {
-  return {of.strip.held[contact_at(of, 0)], of.strip.held[contact_at(of, 1)]};
+  return {of.strip.bend[contact_at(of, 0)], of.strip.bend[contact_at(of, 1)]};
 }
 
 /// Where the ball leaves a strip for the next one.

@@ -240,7 +240,7 @@ std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const Roll
       contact_copies(body, strip, side, strip.contacts[side].face);
   for (const EdgeUseInFace& use : body.uses(strip.contacts[side].face)) {
     if (use.coedge->degenerated || left_out.count(use.edge) > 0) continue;
-    if (use.edge == strip.held[side]) continue;  // the contact runs along it
+    if (use.edge == strip.bend[side]) continue;  // the contact runs along it
     // The face lies to the left of the first contact of a strip and to the right of the second,
     // seen from outside.
     const bool reversed = body.face(use.face).Orientation() == TopAbs_REVERSED;

@@ -106,11 +106,17 @@ std::optional<RolledStrip> swept_or_held_strip(const BodyEdges& body, int edge, 
 
 std::string held_text(const RolledStrip& strip) {
   std::string text;
-  for (const std::size_t side : {0U, 1U})
+  const auto add = [&](int edge, const std::string& why) {
+    text += (text.empty() ? "edge " + std::to_string(strip.edge) + ": the ball leans on edge "
+                          : " and on edge ") +
+            std::to_string(edge) + why;
+  };
+  for (const std::size_t side : {0U, 1U}) {
     if (strip.held[side] > 0)
-      text += (text.empty() ? "edge " + std::to_string(strip.edge) + ": the ball leans on edge "
-                            : " and on edge ") +
-              std::to_string(strip.held[side]) + ", as the face before it is too narrow";
+      add(strip.held[side],
+          ", as face " + std::to_string(strip.contacts[side].face) + " is too narrow for it");
+    if (strip.bend[side] > 0) add(strip.bend[side], ", as the face before it is too narrow");
+  }
   return text;
 }
 

@@ -60,9 +60,11 @@ struct RolledStrip {
   std::array<RolledContact, 2> contacts;  ///< of the face to the left of the forward edge, right
   Interval range;                         ///< of t; further than the edge where it is open
   Interval edge_range;                    ///< t of the sections through the edge's ends
-  /// The edges on which the ball leans in place of touching a face, by contact; 0: it touches. The
-  /// contact then runs along the edge, as a curve of the face that stays behind it.
+  /// The edges at the far side of a narrow face on which the ball leans in place of touching it, by
+  /// contact; 0: it touches. The contact then runs along the edge, as a curve of that face.
   std::array<int, 2> held{};
+  /// Likewise the bends of what it rolls on; the contact is a curve of the face that stays behind.
+  std::array<int, 2> bend{};
 
   /// The same strip over another range inside of `most`; none where the range is all there is.
   std::function<RolledStrip(const Interval&)> over{};

@@ -268,12 +268,10 @@ std::array<double, 2> angles(const std::array<Vec2, 2>& feet, const Vec2& centre
   return {at[0], at[0] + turn};
 }
 
-// The contact's curve in its face: along an edge on which the ball leans, in the face behind.
+// The contact's curve in its face.
 void add_contact(const Rolling& of, std::size_t k, Handle(Geom_Curve) curve, double w,
                  RolledStrip& strip) {
-  const EdgeUseInFace& own = of.body.use(of.edge, k == 0);
-  const EdgeUseInFace& use =
-      of.held[k] > 0 ? of.body.behind(of.body.use_in(of.held[k], own.face)) : own;
+  const EdgeUseInFace& use = of.body.use(of.edge, k == 0);
   const TopoDS_Face& face = of.body.face(use.face);
   const SurfaceProjector feet(face, Precision::Confusion());
   const Interval domain = use.coedge->curve.domain();

@@ -272,7 +272,7 @@ RolledStrip Tracing::strip(const Interval& wanted) const {
   strip.range = range;
   strip.edge_range = edge_range;
   strip.most = valid;
-  strip.held = held;
+  strip.bend = held;
   for (const std::size_t k : {0U, 1U}) {
     strip.contacts[k] = {faces[k], to_occt(made.contacts[k].row), to_occt(made.contacts[k].chart),
                          static_cast<double>(k)};
