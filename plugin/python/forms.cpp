@@ -59,7 +59,7 @@ Answer nets_answer(const SharedModel& model, Json report, std::vector<nets::Net>
 Answer subdivide(const SharedModel& model, const nets::Cut& wanted, const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
-    const reports::Input& input = model->repaired_input(watch);
+    const reports::Input& input = model->repaired_input(watch, Loose::Kept);
     nets::Cut cut = wanted;
     cut.stop = stop_of(watch);
     const bool edges = cut.interval || input.faces.empty();
@@ -76,7 +76,7 @@ Answer subdivide_whole(const SharedModel& model, const nets::WholeCut& wanted,
                        const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
-    const reports::Input& input = model->repaired_input(watch);
+    const reports::Input& input = model->repaired_input(watch, Loose::Kept);
     nets::WholeCut cut = wanted;
     cut.all_edges = !model->is_part();
     cut.stop = stop_of(watch);

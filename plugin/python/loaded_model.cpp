@@ -67,9 +67,9 @@ LoadedModel::Turn LoadedModel::turn(const Watch& watch) {
   return turn;
 }
 
-const std::vector<TopoDS_Face>& LoadedModel::faces(const Watch& watch) {
+const std::vector<TopoDS_Face>& LoadedModel::faces(const Watch& watch, Loose loose) {
   if (model_) {
-    const reports::Input& input = repaired_input(watch);
+    const reports::Input& input = repaired_input(watch, loose);
     if (input.faces.empty()) throw occt::BadModel(name_ + ": there is no face in it");
     return input.faces;
   }
@@ -82,6 +82,7 @@ reports::Input& LoadedModel::input() {
   if (measured_) return measured_->input;
   occt::Model& all = model();
   reports::Input input{name_, model_, all};
+  input.sewing = sewing_;
   input.shape = all.shape();
   input.numbers = numbers_;
   for (int number = 1; number <= all.face_count() && numbers_.empty(); ++number)
@@ -91,7 +92,22 @@ reports::Input& LoadedModel::input() {
   return measured_->input;
 }
 
-reports::Input& LoadedModel::repaired_input(const Watch& watch) {
+// Once; what is sewn already by another part of the model is told again. What Open CASCADE fails to
+// sew stays loose.
+void LoadedModel::sew(const Watch& watch) {
+  if (file() == nullptr || std::exchange(sewn_, true)) return;
+  try {
+    sewing_ = model_->sew({}, [&watch] { watch.stop(); });
+  } catch (const occt::Failure&) {
+    return;
+  }
+  measured_.reset();
+  rays_.reset();
+  repaired_ = false;
+}
+
+reports::Input& LoadedModel::repaired_input(const Watch& watch, Loose loose) {
+  if (loose == Loose::Sewn) sew(watch);
   reports::Input& known = input();
   if (repair_ == Repair::Never || repaired_) return known;
   const std::function<void()> stop = [&watch] { watch.stop(); };

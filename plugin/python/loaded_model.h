@@ -23,6 +23,10 @@ namespace blossom::python {
 /// Whether a model is repaired when the first question needs that, as files are.
 enum class Repair { WhenUsed, Never };
 
+/// What becomes of a file's loose faces: sewn into the solids that they close, see
+/// occt::Model::sew.
+enum class Loose { Sewn, Kept };
+
 /// A file's model, one that was made, or a shape of the caller's, which is never changed; or some
 /// faces of one.
 class LoadedModel {
@@ -60,18 +64,19 @@ class LoadedModel {
 
   /// Faces, repaired if they are a file's.
   /// throws   BadModel if there is none
-  const std::vector<TopoDS_Face>& faces(const Watch& watch);
+  const std::vector<TopoDS_Face>& faces(const Watch& watch, Loose loose = Loose::Sewn);
   /// Made of a caller's shape when first needed.
   occt::Model& model();
   /// What reports speak of, repaired if wanted.
   reports::Input& input();
-  reports::Input& repaired_input(const Watch& watch);
+  reports::Input& repaired_input(const Watch& watch, Loose loose = Loose::Sewn);
   /// Ready for distances.
   reports::MeasuredInput& measured(const Watch& watch);
   const occt::ShapeRays& rays(double tolerance, const Watch& watch);
 
  private:
   LoadedModel() = default;
+  void sew(const Watch& watch);
 
   std::string name_;
   Repair repair_ = Repair::Never;
@@ -80,6 +85,8 @@ class LoadedModel {
   std::shared_ptr<occt::Model> model_;
   std::shared_ptr<std::timed_mutex> working_ = std::make_shared<std::timed_mutex>();
   bool repaired_ = false;
+  bool sewn_ = false;
+  occt::Sewing sewing_;
   std::vector<TopoDS_Face> faces_;
   std::optional<reports::MeasuredInput> measured_;
   std::optional<occt::ShapeRays> rays_;
