@@ -477,28 +477,6 @@ TEST(SurfaceIntersection, StopsWhenItIsCancelled) {
   EXPECT_EQ(asked, 3);
 }
 
-// Whatever they stand for is apart, as places nearer than the tolerance would be listed.
-TEST(SurfaceIntersection, OfApproximationsThatAreApartIsProvenToBeNothing) {
-  const double tolerance = Tolerances{}.point;
-  BezierSurface below = testing::quadrilateral({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0.2});
-  const BezierSurface above = testing::quadrilateral({0, 0, 3 * tolerance}, {0, 1, 0.1},
-                                                     {1, 0, 0.1}, {1, 1, 0.2 + 3 * tolerance});
-  below.error = 0.9 * tolerance;
-  EXPECT_EQ(intersect(below, above).status, Status::Complete);
-  below.error = 1.1 * tolerance;
-  EXPECT_EQ(intersect(below, above).status, Status::Tolerance);
-}
-
-TEST(SurfaceIntersection, OfApproximationsIsNoBetterThanTheyAre) {
-  BezierSurface flat = testing::quadrilateral({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0});
-  flat.error = 0.1 * Tolerances{}.point;
-  const BezierSurface steep =
-      testing::quadrilateral({0.5, 0, -1}, {0.5, 1, -1}, {0.5, 0, 1}, {0.5, 1, 1});
-  const SurfaceIntersection found = intersect(flat, steep);
-  EXPECT_EQ(found.curves.size(), 1U);
-  EXPECT_EQ(found.status, Status::Tolerance);
-}
-
 TEST(SurfaceIntersection, RefusesSurfacesThatAreNone) {
   const CubicPair pair = cubic_pair(loop(kA, kB, 0.1));
   const auto with = [&](const Vec4& point) {
