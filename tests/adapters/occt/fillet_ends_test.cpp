@@ -15,9 +15,11 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
@@ -297,6 +299,35 @@ TEST(FilletRoundAPocket, StripsOfFacesAtDifferentAnglesMeetInAMitre) {
   });
   ASSERT_EQ(edges.size(), 4U);
   expect_change(fillet(shape, edges, {.radius = r}), -strips_round_a_wedge(4, r), 1e-8);
+}
+
+// A cylinder of radius 10 on one side of a chord; the last 0.3 of the arc are an edge of their own.
+// The contact comes to the chord before the ball is beside the seam.
+TEST(FilletOfASegment, EndsBeforeAShortPieceOfItsEdgeAsIfThatWereNotCutOff) {
+  const auto volume_less = [](double turned) {
+    const gp_Ax2 axes(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1),
+                      gp_Dir(std::cos(turned), std::sin(turned), 0));
+    const TopoDS_Shape drum = BRepPrimAPI_MakeCylinder(axes, 10, 5).Shape();
+    const double x = std::sqrt(100 - 0.09);
+    const TopoDS_Shape beside =
+        prism({{x, 0.3, -1}, {x + 20, 20.3, -1}, {x - 40, 20.3, -1}, {x - 40, -39.7, -1}},
+              gp_Vec(0, 0, 7));
+    ShapeUpgrade_UnifySameDomain one_wall(BRepAlgoAPI_Cut(drum, beside).Shape(), false, true);
+    one_wall.Build();
+    const TopoDS_Shape part = one_wall.Shape();
+    const std::vector<int> top = edges_where(part, EdgeKind::Convex, [](const Vec3& middle) {
+      return middle[2] == 5 && std::hypot(middle[0], middle[1]) > 9.99;
+    });
+    const FilletResult made = fillet(part, top, {.radius = 1});
+    for (const FilletRefusal& each : made.refused) ADD_FAILURE() << each.text();
+    for (const std::string& each : made.notes) ADD_FAILURE() << each;
+    if (made.solids.empty()) return 0.0;
+    EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
+    return made.volume_before - made.solids.front().volume;
+  };
+  const double whole = volume_less(1.5);
+  EXPECT_GT(whole, 2.0);
+  EXPECT_NEAR(volume_less(0), whole, 1e-7);
 }
 
 }  // namespace

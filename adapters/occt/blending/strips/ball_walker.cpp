@@ -70,7 +70,7 @@ std::optional<std::size_t> BallWalker::next_place(std::size_t place, int step) c
 
 // Whether other fillets end where the run does: they, not borders of faces, end its strips.
 bool BallWalker::is_shared(int step) const {
-  const HalfEdge half = step > 0 ? run_.last() : run_.first();
+  const HalfEdge half = end_half(step);
   const auto ring = body_.round(half);
   return std::ranges::any_of(ring, [&](const VertexSector& each) {
     return !(each.half == half) && options_.filleted.count(each.half.edge) > 0;
@@ -306,10 +306,14 @@ std::optional<std::size_t> BallWalker::joint_at(int edge, std::size_t place, int
   return std::nullopt;
 }
 
-// A walk that stops before the end of its run has left the edges.
-void BallWalker::check_end(const WalkedStrip& of, std::size_t place, int step, double t) const {
+// A walk that stops before the end of its run has left the edges, but where it stops at an edge
+// that begins in the run's last vertex: what is left of the run is as much behind the strip's end
+// as the rest of a single edge.
+void BallWalker::check_end(const WalkedStrip& of, std::size_t place, int step,
+                           const WalkExit& end) const {
   if (!next_place(place, step)) return;
-  const Vec3 centre = vec(of.strip.spine->Value(t).XYZ());
+  if (!run_.closed && begins_at(end.sharp_edge, end_half(step))) return;
+  const Vec3 centre = vec(of.strip.spine->Value(end.t).XYZ());
   double least = 0;
   std::optional<std::size_t> nearest;
   for (std::size_t i = 0; i < run_.edges.size(); ++i) {
@@ -415,7 +419,7 @@ BallWalker::Part BallWalker::way(WalkedStrip& from, std::size_t place, int step)
       check_course(*of, step, {t, found.t});
     if (found.ends) {
       if (of->of_edge) cut_ = joint_at(found.sharp_edge, place, step);
-      if (!cut_) check_end(*of, place, step, found.t);
+      if (!cut_) check_end(*of, place, step, found);
       return part;
     }
     auto [next, begin] = following(*of, found, place, step);

@@ -74,6 +74,7 @@ class BallWalker {
   std::optional<WalkedStrip> start_behind(std::size_t place);
   bool is_start(const std::array<int, 2>& faces, const std::array<int, 2>& held) const;
   bool holds(const WalkedStrip& of, double t, const ContactCrossing& over) const;
+  bool begins_at(int edge, const HalfEdge& half) const;
   bool is_end_edge(int edge) const;
   double turned_past(const WalkedStrip& of, std::size_t side, const EdgeUseInFace& use,
                      double t) const;
@@ -107,7 +108,7 @@ class BallWalker {
                                            std::size_t& place, int step);
   BallWalk round(WalkedStrip strip) const;
   std::optional<std::size_t> joint_at(int edge, std::size_t place, int step) const;
-  void check_end(const WalkedStrip& of, std::size_t place, int step, double t) const;
+  void check_end(const WalkedStrip& of, std::size_t place, int step, const WalkExit& end) const;
   struct Course {
     std::size_t place = 0;  // of the nearest edge
     double ahead = 0;       // negative where it goes back along that
@@ -115,6 +116,7 @@ class BallWalker {
   };
   Course course(const WalkedStrip& of, int step, double t) const;
   void check_course(const WalkedStrip& of, int step, const Interval& way) const;
+  HalfEdge end_half(int step) const { return step > 0 ? run_.last() : run_.first(); }
   bool is_shared(int step) const;
   [[noreturn]] void refuse(FilletFault fault, std::size_t place, const std::string& cause,
                            const Vec3& centre) const {

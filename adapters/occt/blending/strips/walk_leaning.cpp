@@ -37,13 +37,15 @@ double nearest_on_edge(const BodyEdges& body, int edge, const Vec3& point) {
   return nearest_on(curve, range, point);
 }
 
+// Whether an edge, if it is one, begins in the vertex of a half-edge.
+bool BallWalker::begins_at(int edge, const HalfEdge& half) const {
+  return edge > 0 && (body_.vertex({edge, true}).IsSame(body_.vertex(half)) ||
+                      body_.vertex({edge, false}).IsSame(body_.vertex(half)));
+}
+
 // Whether an edge begins in a vertex in which the run ends.
 bool BallWalker::is_end_edge(int edge) const {
-  if (run_.closed) return false;
-  for (const HalfEdge& end : {run_.first(), run_.last()})
-    for (const bool at_start : {true, false})
-      if (body_.vertex({edge, at_start}).IsSame(body_.vertex(end))) return true;
-  return false;
+  return !run_.closed && (begins_at(edge, run_.first()) || begins_at(edge, run_.last()));
 }
 
 // Whether a contact that leaves its face over an edge goes on along it.
