@@ -330,5 +330,20 @@ TEST(FilletOfASegment, EndsBeforeAShortPieceOfItsEdgeAsIfThatWereNotCutOff) {
   EXPECT_NEAR(volume_less(0), whole, 1e-7);
 }
 
+// A plate 20 x 20 x 10 with a slot that begins 1.4 behind a side and is open at its end, where it
+// comes to a corner that is cut off by 2. The cut goes along itself down the slot's wall.
+TEST(ChamferBesideASlot, GoesDownTheSlotsWallAtItsEnd) {
+  const TopoDS_Shape part =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 20, 10).Shape(),
+                      BRepPrimAPI_MakeBox(gp_Pnt(5, 1.4, 7), gp_Pnt(25, 6, 15)).Shape());
+  const std::vector<int> corner = edges_where(part, EdgeKind::Convex, [](const Vec3& middle) {
+    return std::abs(middle[0] - 20) < 1e-9 && middle[1] == 0 && std::abs(middle[2] - 5) < 1e-9;
+  });
+  ASSERT_EQ(corner.size(), 1U);
+  // Of the triangle of 2 x 2 the upper 3 lack what is in the slot.
+  const double below = 2 * 7, above = (2 - 0.6 * 0.6 / 2) * 3;
+  expect_change(fillet(part, corner, {.chamfer = ChamferSize{2}}), -below - above, 1e-9);
+}
+
 }  // namespace
 }  // namespace blossom::occt

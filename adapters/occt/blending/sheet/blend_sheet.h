@@ -127,9 +127,15 @@ class BlendSheet {
   bool turns_back(const Ring& ring, bool on_left);
   Cut grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge);
   bool takes_over(const Ring& ring, int taking, int giving, int edge, const TopoDS_Vertex& cut);
-  int cross_face(const HalfEdge& half, const Interval& part, int face, int& entered, double& w,
-                 TopoDS_Vertex& from);
-  bool keeps_after(const HalfEdge& half, int face, int edge, const EdgeThrough& through);
+  /// Where a strip's end has come to: by its contact, or over an edge.
+  struct StripPlace {
+    EdgeThrough through;
+    int edge = 0;
+    bool is_contact = false;
+  };
+  std::optional<Vec3> way_over(const RolledStrip& strip, int face, const StripPlace& from) const;
+  int cross_face(const HalfEdge& half, const Interval& part, int face, StripPlace& from,
+                 TopoDS_Vertex& start);
   void join(const Joint& joint);
   TopoDS_Vertex joint_vertex(const PlacedStrip& of, std::size_t side, double t,
                              const std::optional<ContactCrossing>& over);

@@ -169,37 +169,42 @@ void BlendSheet::cap_face(const HalfEdge& half, const Interval& part, int face,
   end_of(half).path.push_back({edge, curve->forward});
 }
 
-// On which side of a strip's end an edge stays that goes through it: the face lies to the left of
-// the way back from the strip's right to its left.
-bool BlendSheet::keeps_after(const HalfEdge& half, int face, int edge, const EdgeThrough& through) {
-  const RolledStrip& strip = strip_of(half).strip;
-  const Vec2 uv = strip.chart(through.t, through.w);
-  const SurfaceJet frame = frame_at(strip.surface, uv);
-  const Vec3 across = strip.along_u ? frame.dv : frame.du;
-  const double sign =
-      strip.contacts[right_side(half)].w > strip.contacts[left_side(half)].w ? 1 : -1;
-  const bool in_face_forward = body_.use(edge, true).face == face;
+// The way in which a strip goes on over a face from where it came to it over an edge. Nothing where
+// they touch, or the strip runs along that edge.
+std::optional<Vec3> BlendSheet::way_over(const RolledStrip& strip, int face,
+                                         const StripPlace& from) const {
+  const SurfaceJet frame = frame_at(strip.surface, strip.chart(from.through.t, from.through.w));
   const BodyEdges::Corner corner =
-      body_.corner(body_.use(edge, in_face_forward), through.edge_parameter);
-  Vec3 way = cross(cross(frame.du, frame.dv), corner.normal);
-  if (sign * dot(way, across) < 0) way = -way;
-  return dot(corner.along, cross(way, corner.normal)) > 0;
+      body_.corner(body_.use_in(from.edge, face), from.through.edge_parameter);
+  const Vec3 way = cross(unit(cross(frame.du, frame.dv)), corner.normal);
+  const double inwards = dot(way, corner.inwards);
+  if (std::abs(inwards) < std::sin(kSmoothJoint)) return std::nullopt;
+  return unit(inwards > 0 ? way : -way);
 }
 
 // To the edge over which the strip leaves a face; returns the face behind it.
-int BlendSheet::cross_face(const HalfEdge& half, const Interval& part, int face, int& entered,
-                           double& w, TopoDS_Vertex& from) {
+//
+// Of the edges ahead it is the first one: from the strip's left to its right, or, where the strip
+// goes along itself or back over a face, in the way that it takes there.
+int BlendSheet::cross_face(const HalfEdge& half, const Interval& part, int face, StripPlace& from,
+                           TopoDS_Vertex& start) {
   const RolledStrip& strip = strip_of(half).strip;
   const double w_left = strip.contacts[left_side(half)].w;
   const double span = strip.contacts[right_side(half)].w - w_left;
-  const auto share = [&](double at) { return (at - w_left) / span; };
+  const auto way = from.is_contact ? std::nullopt : way_over(strip, face, from);
+  const SurfaceJet frame = frame_at(strip.surface, strip.chart(from.through.t, from.through.w));
+  const Vec3 across = unit(strip.along_u ? frame.dv : frame.du);
+  const bool by_w = !way || (span > 0 ? 1 : -1) * dot(*way, across) > std::sin(kSmoothJoint);
+  const double room = by_w ? kSameW : kSamePlace * tolerance_;
+  const auto ahead = [&](const EdgeThrough& each) {
+    return by_w ? (each.w - from.through.w) / span : dot(each.point - from.through.point, *way);
+  };
   std::optional<EdgeThrough> best;
   const EdgeUseInFace* over = nullptr;
   for (const EdgeUseInFace& use : body_.uses(face)) {
-    if (use.coedge->degenerated || use.edge == entered || is_filleted(use.edge)) continue;
+    if (use.coedge->degenerated || use.edge == from.edge || is_filleted(use.edge)) continue;
     for (const EdgeThrough& each : edge_through(strip, part, body_, use.edge)) {
-      if (share(each.w) <= share(w) + kSameW) continue;
-      if (best && share(each.w) >= share(best->w)) continue;
+      if (ahead(each) <= room || (best && ahead(each) >= ahead(*best))) continue;
       best = each;
       over = &use;
     }
@@ -210,12 +215,13 @@ int BlendSheet::cross_face(const HalfEdge& half, const Interval& part, int face,
                " goes through the strip at its end, over which it would come to its other side");
   const TopoDS_Edge edge = body_.edge(over->edge);
   const int split = splits_.add(edge, best->edge_parameter, body_.face(face));
-  border_.cuts.push_back({over->edge, split, keeps_after(half, face, over->edge, *best)});
+  // What stays of the face is to the right of the way out of it, and so is what stays of the edge:
+  // all that the face's border comes along before.
+  border_.cuts.push_back({over->edge, split, !over->forward});
   const TopoDS_Vertex to = splits_.vertex(edge, split);
-  cap_face(half, part, face, from, to);
-  from = to;
-  w = best->w;
-  entered = over->edge;
+  cap_face(half, part, face, start, to);
+  start = to;
+  from = {*best, over->edge, false};
   return body_.use(over->edge, !over->forward).face;
 }
 
@@ -281,7 +287,6 @@ void BlendSheet::cap(const Ring& ring) {
   end.vertices[right_side(half)] = right.vertex;
   const Interval part = part_near(half, end.t);
   TopoDS_Vertex from = left.vertex;
-  double w = strip_of(half).strip.contacts[left_side(half)].w;
   if (face != last && !turns_back(ring, true) && !turns_back(ring, false)) {
     // Of a face over which the ball leans on an edge nothing is left here, nor of its border.
     const std::array<int, 2>& bend = strip_of(half).strip.bend;
@@ -295,10 +300,13 @@ void BlendSheet::cap(const Ring& ring) {
     else if (takes_over(ring, last, face, on_left, left.vertex))
       face = last;
   }
+  const double w_left = strip_of(half).strip.contacts[left_side(half)].w;
+  StripPlace place{{0, left.t, w_left, point_of(from)}, entered, true};
   for (int count = 0; face != last; ++count) {
     if (count == kMaxFacesInARow) refuse(half, FilletFault::End, "too many faces are at its end");
-    face = cross_face(half, part, face, entered, w, from);
+    face = cross_face(half, part, face, place, from);
   }
+  entered = place.edge;
   const auto is_smooth = [&](int edge) {
     double angle = 0;
     return edge_kind(body_, edge, angle) == EdgeKind::Smooth;
