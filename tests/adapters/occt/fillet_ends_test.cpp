@@ -345,5 +345,34 @@ TEST(ChamferBesideASlot, GoesDownTheSlotsWallAtItsEnd) {
   expect_change(fillet(part, corner, {.chamfer = ChamferSize{2}}), -below - above, 1e-9);
 }
 
+// A ball as large as the arc in a run of edges turns on the spot there, and leaves an eighth of a
+// sphere: on a box with a rounded corner, and at the bottom of a pocket of that form.
+TEST(FilletOfTheRadiusOfAnArc, TurnsOnTheSpot) {
+  const double r = 3;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(20, 20, 10).Shape();
+  const std::vector<int> upright =
+      edges_where(box, EdgeKind::Convex, [](const Vec3& at) { return at[0] == 20 && at[1] == 20; });
+  const FilletResult rounded = fillet(box, upright, {.radius = r});
+  ASSERT_EQ(rounded.solids.size(), 1U);
+  const TopoDS_Shape block = rounded.solids.front().solid;
+  const TopoDS_Shape pocket =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, -5), gp_Pnt(25, 25, 10)).Shape(), block)
+          .Shape();
+  const double at_arc = r * r * r * std::numbers::pi * (1.0 / 4 - 1.0 / 6);
+  const double change = 34 * kCut * r * r + at_arc;
+  const auto arc_at = [](double z) {
+    return [z](const Vec3& at) {
+      return std::abs(at[2] - z) < 1e-9 && std::abs(at[0] - at[1]) < 1e-9 && at[0] > 18 &&
+             at[0] < 20;
+    };
+  };
+
+  expect_change(fillet(block, edges_where(block, EdgeKind::Convex, arc_at(10)), {.radius = r}),
+                -change, 1e-9);
+  // The other walls' edges at the bottom are sharp: what is beside them ends in the walls.
+  expect_change(fillet(pocket, edges_where(pocket, EdgeKind::Concave, arc_at(0)), {.radius = r}),
+                change, 1e-9);
+}
+
 }  // namespace
 }  // namespace blossom::occt

@@ -284,11 +284,20 @@ WalkedStrip BallWalker::pair_strip(const WalkedStrip& of, const WalkExit& exit,
           false};
 }
 
-// Whether a strip has a ball at a centre, perhaps further on.
-bool BallWalker::reaches(WalkedStrip& next, const Vec3& centre, double reach, double& t) const {
+// Whether a strip goes on where another ends, perhaps further on; t: there. Balls that turn on the
+// spot are told apart by a contact.
+bool BallWalker::reaches(WalkedStrip& next, const WalkedStrip& of, double end, double reach,
+                         double& t) const {
   const auto off = [&] {
-    t = nearest_on(next.strip.spine, next.strip.range, centre);
-    return distance(vec(next.strip.spine->Value(t).XYZ()), centre);
+    Handle(Geom_Curve) line = next.strip.spine;
+    Vec3 place = vec(of.strip.spine->Value(end).XYZ());
+    for (const std::size_t side : {0U, 1U}) {
+      if (line->DN(next.strip.range.from, 1).Magnitude() > 0) break;
+      line = next.strip.contacts[contact_at(next, side)].curve;
+      place = vec(of.strip.contacts[contact_at(of, side)].curve->Value(end));
+    }
+    t = nearest_on(line, next.strip.range, place);
+    return distance(vec(line->Value(t).XYZ()), place);
   };
   while (off() > reach)
     if (!grow(next, t < at(next.strip.range, 0.5))) return false;
@@ -388,19 +397,19 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
   double t = 0;
   if (run_.closed && is_start(faces, exit.held)) {
     WalkedStrip known = *behind_;
-    came_back_ = reaches(known, centre, reach, t);
+    came_back_ = reaches(known, of, exit.t, reach, t);
     if (came_back_) return {std::move(known), t};
   }
   const bool leans = exit.held != std::array<int, 2>{};
   if (const auto there = leans ? std::nullopt : place_with(faces, place, step)) {
     auto known = strip_if_any(*there);
-    if (known && !known->strip.closed && reaches(*known, centre, reach, t)) {
+    if (known && !known->strip.closed && reaches(*known, of, exit.t, reach, t)) {
       place = *there;
       return {*std::move(known), t};
     }
   }
   WalkedStrip made = pair_strip(of, exit, faces, place);
-  if (!made.strip.closed && reaches(made, centre, reach, t)) return {std::move(made), t};
+  if (!made.strip.closed && reaches(made, of, exit.t, reach, t)) return {std::move(made), t};
   refuse(FilletFault::Corner, place, "the ball does not go on over an edge beside it", centre);
 }
 

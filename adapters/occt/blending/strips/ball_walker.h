@@ -102,7 +102,7 @@ class BallWalker {
   bool grow_past(WalkedStrip& of, double t, int ahead) const;
   WalkExit over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
                       const std::optional<ContactCrossing>& other) const;
-  bool reaches(WalkedStrip& next, const Vec3& centre, double reach, double& t) const;
+  bool reaches(WalkedStrip& next, const WalkedStrip& of, double end, double reach, double& t) const;
   double reach_at(const WalkedStrip& of, const WalkExit& exit) const;
   std::pair<WalkedStrip, double> following(const WalkedStrip& of, const WalkExit& exit,
                                            std::size_t& place, int step);

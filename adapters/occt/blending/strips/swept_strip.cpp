@@ -332,8 +332,9 @@ RolledStrip along(const Rolling& of, const Vec3& axis, const Interval& edge_rang
 RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, const Vec3& start,
                   double beyond) {
   const Vec2 centre = of.centre();
-  const std::array<Vec2, 2> feet{of.sides[0].profile.foot(centre),
-                                 of.sides[1].profile.foot(centre)};
+  std::array<Vec2, 2> feet{of.sides[0].profile.foot(centre), of.sides[1].profile.foot(centre)};
+  for (Vec2& each : feet)  // of a ball that turns on the spot
+    if (std::abs(each[0]) <= kOnAxis * of.radius) each[0] = 0;
   if (centre[0] < -kOnAxis * of.radius || feet[0][0] < 0 || feet[1][0] < 0)
     of.refuse("the ball is too large for the circle that it rolls along: it would reach its axis");
   const Section& in = of.section;
@@ -355,7 +356,8 @@ RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, co
     strip.surface = new Geom_SphericalSurface(frame, of.radius);
   else
     strip.surface = new Geom_ToroidalSurface(frame, centre[0], of.radius);
-  strip.spine = new Geom_Circle(frame_at_height(centre[1]), std::max(centre[0], 0.0));
+  strip.spine =
+      new Geom_Circle(frame_at_height(centre[1]), centre[0] <= kOnAxis * of.radius ? 0 : centre[0]);
   for (std::size_t k = 0; k < 2; ++k)
     add_contact(of, k, new Geom_Circle(frame_at_height(feet[k][1]), feet[k][0]), w[k], strip);
   return strip;
