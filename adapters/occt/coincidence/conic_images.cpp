@@ -386,6 +386,21 @@ Conic turned_to(const Conic& circle, double t) {
   return made;
 }
 
+// Ends a closed curve at its first point to the last digit, in space and in each chart where it
+// does not go round a period.
+void close(const std::array<const ChartSheet*, 2>& sheets, IntersectionCurve& curve) {
+  SurfacePoint& last = curve.samples.back();
+  const SurfacePoint& first = curve.samples.front();
+  curve.curve.points.back() = last.point = first.point;
+  const auto close_chart = [](const Vec2& period, const Vec2& start, Vec2& end, auto& chart) {
+    for (int d = 0; d < 2; ++d)
+      if (period[d] > 0 && std::abs(end[d] - start[d]) > 0.5 * period[d]) return;
+    chart.points.back() = end = start;
+  };
+  close_chart(sheets[0]->period, first.uv_a, last.uv_a, curve.chart_a);
+  close_chart(sheets[1]->period, first.uv_b, last.uv_b, curve.chart_b);
+}
+
 }  // namespace
 
 ChartSheet sheet_of(const SurfaceProjector& feet, const BezierSurface& surface) {
@@ -431,7 +446,7 @@ std::optional<std::vector<IntersectionCurve>> conic_on_sheets(
     if (!curve) return {};
     curve->closed = closed;
     curve->ends.fill(closed ? CurveEnd::Closed : CurveEnd::BorderA);
-    if (closed) curve->samples.back().point = curve->samples.front().point;
+    if (closed) close(sheets, *curve);
     curves.push_back(*std::move(curve));
   }
   return curves;

@@ -94,6 +94,21 @@ TEST(PlaneSection, OfASphereIsACircle) {
     }
 }
 
+// A closed circle of which a bore takes a part is one curve, also where it begins in what is left.
+TEST(PlaneSection, OfABoredSphereHasNoEndWhereItsCircleBegins) {
+  const gp_Ax2 axis(gp_Pnt(0, 0, -20), gp_Dir(0, 0, 1));
+  const TopoDS_Shape bored = BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(15).Shape(),
+                                             BRepPrimAPI_MakeCylinder(axis, 7.5, 40).Shape());
+  for (int i = 0; i < 40; ++i) {
+    const double angle = -1.2 + 0.06 * i;  // at which the plane keeps off the seam
+    const PlaneSection section =
+        section_of(bored, {0, -7.2, 1.6}, {0.3 * std::sin(angle), -0.97, 0.3 * std::cos(angle)});
+    EXPECT_EQ(section.status, Status::Complete) << i;
+    EXPECT_EQ(closed_wires(section), section.wires.size()) << i;
+    for (const SectionNode& node : section.nodes) EXPECT_FALSE(node.on.IsNull()) << i;
+  }
+}
+
 TEST(PlaneSection, OfASphereThroughItsPolesIsAGreatCircle) {
   const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(2).Shape();
   expect_wires(section_of(ball, {0, 0, 0}, {1, 3, 0}), 1, 4 * kPi);
