@@ -106,6 +106,8 @@ class EdgeBlend(Result):
 
     def _summary(self) -> str:
         told = f"{self.status}, {counted(len(self.edges), 'edge')} {self._done}"
+        if self.volume is None:
+            told = f"nothing {self._done}"  # the status is that of the answer, not of a shape
         if not self.refused:
             return told
         first = self.refused[0]

@@ -49,6 +49,7 @@ class Fillets(unittest.TestCase):
         made = BLOCK.fillet([1], radius=200)
 
         self.assertEqual((made.edges, made.volume), ([], None))
+        self.assertTrue(repr(made).startswith("<blossom.Fillet: nothing rounded, 1 refused: edge 1:"))
         self.assertEqual(made.refused[0]["fault"], "leaves face")
         self.assertIn("the radius is too large", made.refused[0]["cause"])
         with self.assertRaisesRegex(
