@@ -2,10 +2,12 @@
 #include "adapters/occt/queries/least_box.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
@@ -24,6 +26,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/distance.h"
 #include "core/math/grid.h"
 
@@ -127,24 +130,58 @@ class Outermost {
     for (int i = 1; i <= faces.Extent(); ++i) add(TopoDS::Face(faces(i)));
     for (int i = 1; i <= edges.Extent(); ++i) add(TopoDS::Edge(edges(i)));
     for (int i = 1; i <= vertices.Extent(); ++i) add(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))));
+    for (const TopoDS_Shape& part : curved_)
+      if (may_reach_out(part)) builder_.Add(parts_, part);
     // Searches begin with points.
     if (parts_.NbChildren() > 0)
       for (int i = 1; i <= vertices.Extent(); ++i) builder_.Add(parts_, vertices(i));
   }
 
   /// Faces and edges, and all vertices if there are any. What is not in it goes no farther than it
-  /// and the box of points by more than the slack.
+  /// and the box of points by more than the slack; nor does any of it on a side that is not open.
   const TopoDS_Compound& parts() const { return parts_; }
   const Box& points() const { return points_; }
   double slack() const { return slack_; }
+  /// Digits below what is not known anyhow are not looked for.
+  double resolution() const { return std::max(kPrecision, slack_); }
+  bool is_open(int axis, bool high) const { return high ? open_high_[axis] : open_low_[axis]; }
 
  private:
+  // Whether control points of a face or edge lie beyond the box of points; opens these sides.
+  bool may_reach_out(const TopoDS_Shape& part) {
+    std::vector<Vec3> hull;
+    const bool bounded = part.ShapeType() == TopAbs_FACE ? add_hull(TopoDS::Face(part), hull)
+                                                         : add_hull(TopoDS::Edge(part), hull);
+    if (!bounded || !has_end(hull)) {
+      open_low_.fill(true);
+      open_high_.fill(true);
+      return true;
+    }
+    const HullBound bound = placed_hull(std::move(hull), part.Location().Transformation());
+    Box box;
+    for (const Vec3& point : bound.points) box = joined(box, {point, point});
+    bool beyond = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double below = points_.low[axis] - (box.low[axis] - bound.margin);
+      const double above = box.high[axis] + bound.margin - points_.high[axis];
+      beyond |= goes_on(below, open_low_[axis]) | goes_on(above, open_high_[axis]);
+    }
+    return beyond;
+  }
+
+  // What is beyond by no more than the resolution counts as slack.
+  bool goes_on(double beyond, bool& open) {
+    if (beyond > resolution()) return open = true;
+    slack_ = std::max(slack_, beyond);
+    return false;
+  }
+
   void add(const TopoDS_Face& face) {
     const std::optional<double> apart = ends_on_edges(face);
     if (apart && *apart <= std::max(kPrecision, kBorder * size_))
       slack_ = std::max(slack_, *apart);
     else
-      builder_.Add(parts_, face);
+      curved_.push_back(face);
   }
 
   void add(const TopoDS_Edge& edge) {
@@ -158,8 +195,10 @@ class Outermost {
     } else if (!curve.IsNull() && curve->IsKind(STANDARD_TYPE(Geom_Line))) {
       add(curve->Value(from));
       add(curve->Value(to));
+    } else if (!curve.IsNull()) {
+      curved_.push_back(edge);
     } else {
-      builder_.Add(parts_, edge);
+      throw BadModel("an edge has no curve in space");
     }
   }
 
@@ -176,6 +215,8 @@ class Outermost {
 
   BRep_Builder builder_;
   TopoDS_Compound parts_;
+  std::vector<TopoDS_Shape> curved_;  // faces and edges without a closed form
+  std::array<bool, 3> open_low_{}, open_high_{};
   Box points_;
   double slack_ = 0;
   double size_;
@@ -191,17 +232,20 @@ LeastBox least_box(const TopoDS_Shape& shape, const std::function<bool()>& cance
   const MeasuredShape parts(outermost.parts());
   double gap = 0;
   const auto nearest_to = [&](int axis, double at) {
-    const DistanceResult found =
-        least_distance(parts.set(), wall(around, axis, at),
-                       {.budget = kMaxPairs, .cancelled = cancelled, .resolution = kPrecision});
+    const DistanceResult found = least_distance(
+        parts.set(), wall(around, axis, at),
+        {.budget = kMaxPairs, .cancelled = cancelled, .resolution = outermost.resolution()});
     gap = std::max(gap, found.upper - found.lower);
     return found.a.point[axis];
   };
   for (int axis = 0; axis < 3; ++axis) {
-    least.box.low[axis] = std::min(least.box.low[axis], nearest_to(axis, around.low[axis]));
-    least.box.high[axis] = std::max(least.box.high[axis], nearest_to(axis, around.high[axis]));
+    if (outermost.is_open(axis, false))
+      least.box.low[axis] = std::min(least.box.low[axis], nearest_to(axis, around.low[axis]));
+    if (outermost.is_open(axis, true))
+      least.box.high[axis] = std::max(least.box.high[axis], nearest_to(axis, around.high[axis]));
   }
-  least.precision += gap + parts.error();
+  // A side is passed by what was searched, or by what was not.
+  least.precision = std::max(least.precision, gap + parts.error());
   return least;
 }
 

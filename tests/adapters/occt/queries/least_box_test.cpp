@@ -76,6 +76,34 @@ TEST(LeastBox, OfASplineIsLessThanThatOfItsControlPoints) {
   expect_box(least_box(face), {0, 0, 0}, {1, 1, 1});
 }
 
+// No search begins for what has no control point outside: a limit that is reached at once is not
+// felt.
+TEST(LeastBox, DoesNotSearchWhatControlPointsKeepInside) {
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) poles(i + 1, j + 1) = gp_Pnt(i, j, i == 1 && j == 1 ? 2.5 : 1);
+  TopoDS_Compound all;
+  const BRep_Builder builder;
+  builder.MakeCompound(all);
+  builder.Add(all, BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Shape());
+  builder.Add(all, BRepPrimAPI_MakeBox(gp_Pnt(-1, -1, 0), gp_Pnt(3, 3, 3)).Shape());
+  expect_box(least_box(all, [] { return true; }), {-1, -1, 0}, {3, 3, 3});
+}
+
+// The dome reaches out on one side alone; the other sides are those of points.
+TEST(LeastBox, SearchesTheSidesThatControlPointsPass) {
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) poles(i + 1, j + 1) = gp_Pnt(i, j, i == 1 && j == 1 ? -4 : 0);
+  const gp_Trsf lift = [] {
+    gp_Trsf move;
+    move.SetTranslation(gp_Vec(1, 2, 3));
+    return move;
+  }();
+  const TopoDS_Shape face = BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Shape();
+  expect_box(least_box(face.Moved(lift)), {1, 2, 2}, {3, 4, 3});
+}
+
 // A cylinder's rims go farthest, a half of a cone's where it is cut.
 TEST(LeastBox, OfRuledFacesIsThatOfTheirEdges) {
   const double along = std::numbers::sqrt2 / 2;
