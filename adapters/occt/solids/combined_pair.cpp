@@ -17,6 +17,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/solids/clear_charts.h"
 #include "adapters/occt/solids/sheets.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/solids/solid_shells.h"
@@ -200,6 +201,32 @@ void tell_scale(double scale, SolidTrimResult& result) {
   result.status = weaker(result.status, Status::Tolerance);
 }
 
+// In the charts that their faces have.
+SolidTrimResult combined_as_they_are(const PairJob& job, const IntersectionOptions& options) {
+  const SharedLimit limit(options);
+  const SolidTrimResult first = combined_at(job, Attempt::First, options);
+  if (first.obstacles.empty() || limit.is_reached()) return first;
+  const double point = options.tolerances.point;
+  const double scale = contact_scale(
+      contact_gaps(job.part, job.tool, kLooseReach * kLooseReach * point, limit), point);
+  struct Way {
+    Attempt attempt;
+    double tolerance;
+  };
+  std::vector<Way> ways{{Attempt::Others, point}};
+  if (scale != point) ways = {{Attempt::First, scale}, ways.front(), {Attempt::Others, scale}};
+  for (const auto& [attempt, tolerance] : ways) {
+    if (limit.is_reached()) break;
+    IntersectionOptions left = limit.remaining();
+    left.tolerances.point = tolerance;
+    SolidTrimResult other = combined_at(job, attempt, left);
+    if (!other.obstacles.empty()) continue;
+    if (tolerance != point) tell_scale(tolerance, other);
+    return other;
+  }
+  return first;
+}
+
 }  // namespace
 
 Vec3 cone_apex(const TrimTool& part) {
@@ -218,29 +245,13 @@ double SolidVolumes::fuse_error() const {
 SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
                               const IntersectionOptions& options, ConeVolumes& cones,
                               const TopTools_MapOfShape& valid) {
-  const SharedLimit limit(options);
-  const PairJob job{part, tool, operation, cones, valid};
-  const SolidTrimResult first = combined_at(job, Attempt::First, options);
-  if (first.obstacles.empty() || limit.is_reached()) return first;
-  const double point = options.tolerances.point;
-  const double scale =
-      contact_scale(contact_gaps(part, tool, kLooseReach * kLooseReach * point, limit), point);
-  struct Way {
-    Attempt attempt;
-    double tolerance;
-  };
-  std::vector<Way> ways{{Attempt::Others, point}};
-  if (scale != point) ways = {{Attempt::First, scale}, ways.front(), {Attempt::Others, scale}};
-  for (const auto& [attempt, tolerance] : ways) {
-    if (limit.is_reached()) break;
-    IntersectionOptions left = limit.remaining();
-    left.tolerances.point = tolerance;
-    SolidTrimResult other = combined_at(job, attempt, left);
-    if (!other.obstacles.empty()) continue;
-    if (tolerance != point) tell_scale(tolerance, other);
-    return other;
-  }
-  return first;
+  const ClearCharts of_part = clear_charts(part, tool);
+  const ClearCharts of_tool = clear_charts(tool, of_part.solid);
+  SolidTrimResult made =
+      combined_as_they_are({of_part.solid, of_tool.solid, operation, cones, valid}, options);
+  turn_back(of_part, made);
+  turn_back(of_tool, made);
+  return made;
 }
 
 }  // namespace blossom::occt

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/solids/clear_charts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <gp_Ax2.hxx>
+
+#include "adapters/occt/queries/cone_volumes.h"
+
+namespace blossom::occt {
+namespace {
+
+TopoDS_Shape ball_at(const gp_Pnt& middle, double radius) {
+  return BRepPrimAPI_MakeSphere(middle, radius).Shape();
+}
+
+bool holds(const SolidTrimResult& made, const TopoDS_Face& face) {
+  for (const TopoDS_Solid& solid : made.solids)
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+      if (it.Current().IsEqual(face)) return true;
+  return false;
+}
+
+// Its pole lies on the wall, 2 from the axis of a cylinder of radius 2.
+TEST(ClearCharts, KeepPolesOffFaces) {
+  const TrimTool ball = trim_tool(ball_at({2, 0, 1}, 1));
+  const TrimTool rod = trim_tool(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  const ClearCharts made = clear_charts(ball, rod);
+  ASSERT_EQ(made.turned.size(), 1u);
+  EXPECT_TRUE(made.turned.front().second.IsEqual(ball.faces.front()));
+  const Handle(Geom_SphericalSurface) sphere =
+      Handle(Geom_SphericalSurface)::DownCast(BRep_Tool::Surface(made.solid.faces.front()));
+  ASSERT_FALSE(sphere.IsNull());
+  EXPECT_LT(sphere->Location().Distance(gp_Pnt(2, 0, 1)), 1e-14);
+  EXPECT_NEAR(sphere->Radius(), 1, 1e-15);
+  for (const double sign : {-1.0, 1.0}) {
+    const gp_XYZ pole = sphere->Location().XYZ() + sign * sphere->Axis().Direction().XYZ();
+    EXPECT_GT(std::abs(std::hypot(pole.X(), pole.Y()) - 2), 1.0 / 16);
+    EXPECT_GT(std::abs(pole.Z()), 1.0 / 16);
+  }
+}
+
+TEST(ClearCharts, ChangeNothingThatIsClear) {
+  const TrimTool rod = trim_tool(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  for (const TopoDS_Shape& shape :
+       {ball_at({9, 0, 1}, 1), ball_at({2.4, 0, 2.5}, 0.5), TopoDS_Shape(rod.solids.front())}) {
+    const TrimTool solid = trim_tool(shape);
+    const ClearCharts made = clear_charts(solid, rod);
+    EXPECT_TRUE(made.turned.empty());
+    for (std::size_t i = 0; i < solid.faces.size(); ++i)
+      EXPECT_TRUE(made.solid.faces[i].IsEqual(solid.faces[i]));
+  }
+}
+
+// The frame of a mirror image is left-handed, and its face is turned round.
+TEST(ClearCharts, KeepMaterialAndTolerances) {
+  gp_Trsf mirror;
+  mirror.SetMirror(gp_Ax2(gp_Pnt(0, 0, 0), gp::DX()));
+  const TopoDS_Shape image = BRepBuilderAPI_Transform(ball_at({2, 0, 1}, 1), mirror, true).Shape();
+  const TrimTool rod = trim_tool(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  for (TrimTool ball : {trim_tool(image), trim_tool(ball_at({2, 0, 1}, 1))}) {
+    const ClearCharts made = clear_charts(ball, rod);
+    ASSERT_EQ(made.turned.size(), 1u);
+    const TopoDS_Face& face = made.solid.faces.front();
+    ConeVolumes cones({0, 0, 0});
+    EXPECT_NEAR(cones.of(face), 4 * std::numbers::pi / 3, 1e-9);
+    EXPECT_EQ(BRep_Tool::Tolerance(face), BRep_Tool::Tolerance(ball.faces.front()));
+  }
+}
+
+TEST(ClearCharts, LeaveFacesThatHaveEdges) {
+  const TrimTool half = trim_tool(BRepPrimAPI_MakeSphere(2, std::numbers::pi).Shape());
+  const TrimTool box = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-3, 0, 1), gp_Pnt(3, 9, 2)).Shape());
+  EXPECT_TRUE(clear_charts(half, box).turned.empty());
+  const TrimTool dome = trim_tool(BRepPrimAPI_MakeSphere(2, 0, std::numbers::pi / 2).Shape());
+  EXPECT_TRUE(clear_charts(dome, box).turned.empty());
+  EXPECT_TRUE(clear_charts(box, half).turned.empty());
+}
+
+// Round its axis, which is all that can be turned of it.
+TEST(ClearCharts, KeepTheCornerOfATorusOffFaces) {
+  const TrimTool ring = trim_tool(BRepPrimAPI_MakeTorus(3, 1).Shape());
+  const TrimTool box = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(4, -1, -1), gp_Pnt(6, 1, 1)).Shape());
+  const ClearCharts made = clear_charts(ring, box);
+  ASSERT_EQ(made.turned.size(), 1u);
+  const Handle(Geom_ToroidalSurface) torus =
+      Handle(Geom_ToroidalSurface)::DownCast(BRep_Tool::Surface(made.solid.faces.front()));
+  ASSERT_FALSE(torus.IsNull());
+  EXPECT_NEAR(torus->MajorRadius(), 3, 1e-15);
+  EXPECT_TRUE(torus->Axis().IsParallel(gp_Ax1(gp::Origin(), gp::DZ()), 1e-15));
+  EXPECT_LT(torus->Value(0, 0).X(), 4 - 1.0 / 16);
+}
+
+// It stands on its pole.
+TEST(ClearCharts, AreTurnedBackWhereNothingIsDivided) {
+  const TrimTool ball = trim_tool(ball_at({1, 1, 2}, 1));
+  const TrimTool box = trim_tool(BRepPrimAPI_MakeBox(2, 2, 1).Shape());
+  ASSERT_EQ(clear_charts(ball, box).turned.size(), 1u);
+  const SolidTrimResult made = trim_solids(ball, {box}, SolidOperation::Cut);
+  ASSERT_TRUE(made.obstacles.empty()) << made.obstacles.front();
+  ASSERT_EQ(made.solids.size(), 1u);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front()).IsValid());
+  EXPECT_TRUE(holds(made, ball.faces.front()));
+}
+
+// Along the wall's rulings at the pole: the quartic has a vertical tangent in either pole.
+TEST(ClearCharts, LetABallBeCutByAWallThroughItsPoles) {
+  for (const double scale : {1e-3, 1.0, 1e4}) {
+    const TrimTool ball = trim_tool(ball_at({2 * scale, 0, 0}, scale));
+    const TrimTool rod = trim_tool(
+        BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -scale), gp::DZ()), 2 * scale, 2 * scale)
+            .Shape());
+    const SolidTrimResult made = trim_solids(ball, {rod}, SolidOperation::Split);
+    ASSERT_TRUE(made.obstacles.empty()) << scale << ": " << made.obstacles.front();
+    ASSERT_EQ(made.solids.size(), 2u);
+    const SolidVolumes& volumes = made.volumes.back();
+    EXPECT_NEAR(volumes.cut + volumes.common, 4 * std::numbers::pi / 3 * std::pow(scale, 3),
+                1e-6 * std::pow(scale, 3));
+    EXPECT_LT(volumes.common, volumes.cut);
+  }
+}
+
+}  // namespace
+}  // namespace blossom::occt
