@@ -9,9 +9,11 @@
 #include <random>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
@@ -133,22 +135,54 @@ FacetMesh occt_mesh(const TopoDS_Shape& shape, double deflection, double angle) 
   return mesh;
 }
 
-double measured_distance(const TopoDS_Shape& shape, const FacetMesh& mesh, int samples) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+namespace {
+
+// The triangles of each face of a mesh, to be asked for the nearest one.
+class FaceTriangles {
+ public:
+  FaceTriangles(const FacetMesh& mesh, int faces) : mesh_(mesh), numbers_(index(faces)) {
+    std::vector<std::vector<Box>> boxes(numbers_.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      Box box;
+      for (const int corner : mesh.triangles[t])
+        box = joined(box, {mesh.points[index(corner)], mesh.points[index(corner)]});
+      boxes[index(mesh.face[t])].push_back(box);
+      numbers_[index(mesh.face[t])].push_back(t);
+    }
+    for (const std::vector<Box>& of_face : boxes) trees_.emplace_back(of_face);
+  }
+
+  // Infinite if the face has none.
+  double distance(int face, const Vec3& p) const {
+    double near = std::numeric_limits<double>::infinity();  // its square
+    trees_[index(face)].for_each_near(p, near, [&](int other) {
+      const auto& [x, y, z] = mesh_.triangles[numbers_[index(face)][index(other)]];
+      const double gap =
+          triangle_gap(p, mesh_.points[index(x)], mesh_.points[index(y)], mesh_.points[index(z)]);
+      near = std::min(near, gap * gap);
+      return near;
+    });
+    return std::sqrt(near);
+  }
+
+ private:
+  const FacetMesh& mesh_;
+  std::vector<std::vector<std::size_t>> numbers_;
+  std::vector<BoxTree> trees_;
+};
+
+// So much finer is the mesh that stands for the faces.
+constexpr double kFiner = 1.0 / 16;
+
+// Of the facets, from their faces: from the surfaces, and from the finer mesh, which ends where
+// the faces end.
+double facets_off(const TopTools_IndexedMapOfShape& faces, const FacetMesh& mesh,
+                  const FacetMesh& finer, int each) {
   std::vector<BRepAdaptor_Surface> surfaces;
   for (int k = 1; k <= faces.Extent(); ++k) surfaces.emplace_back(TopoDS::Face(faces(k)), false);
-  std::vector<Box> boxes;
-  for (const auto& triangle : mesh.triangles) {
-    Box box;
-    for (const int corner : triangle)
-      box = joined(box, {mesh.points[index(corner)], mesh.points[index(corner)]});
-    boxes.push_back(box);
-  }
-  const BoxTree tree(boxes);
+  const FaceTriangles near(finer, faces.Extent());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0, 1);
-  const int each = std::max(1, samples / std::max(1, static_cast<int>(mesh.triangles.size())));
   const double suspect = mesh.proven > 0 ? mesh.proven : std::numeric_limits<double>::infinity();
   double most = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -163,19 +197,37 @@ double measured_distance(const TopoDS_Shape& shape, const FacetMesh& mesh, int s
       const auto& [i, j, l] = mesh.triangles[t];
       const Vec3 p = mixed(mesh.points[index(i)], mesh.points[index(j)], mesh.points[index(l)]);
       const Vec2 uv = mixed(mesh.uv[t][0], mesh.uv[t][1], mesh.uv[t][2]);
-      const BRepAdaptor_Surface& surface = surfaces[index(mesh.face[t])];
-      most = std::max(
-          most, checked_distance(surface, TopoDS::Face(faces(mesh.face[t] + 1)), p, uv, suspect));
-      const Vec3 q = occt::vec(surface.Value(uv[0], uv[1]).XYZ());
-      double near = std::numeric_limits<double>::infinity();
-      tree.for_each_near(q, near, [&](int other) {
-        const auto& [x, y, z] = mesh.triangles[index(other)];
-        const double gap =
-            triangle_gap(q, mesh.points[index(x)], mesh.points[index(y)], mesh.points[index(z)]);
-        near = std::min(near, gap * gap);
-        return near;
-      });
-      most = std::max(most, std::sqrt(near));
+      const int face = mesh.face[t];
+      most = std::max(most, checked_distance(surfaces[index(face)], TopoDS::Face(faces(face + 1)),
+                                             p, uv, suspect));
+      const double of_finer = near.distance(face, p);
+      if (std::isfinite(of_finer)) most = std::max(most, of_finer - finer.proven);
+    }
+  return most;
+}
+
+}  // namespace
+
+double measured_distance(const TopoDS_Shape& shape, const FacetMesh& mesh, int samples) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  const int count = std::max(1, static_cast<int>(mesh.triangles.size()));
+  const int each = std::max(4, samples / count);
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  const double coarse = mesh.proven > 0 ? mesh.proven : 1e-3 * std::sqrt(box.SquareExtent());
+  FacetMesh finer;
+  for (double deviation = kFiner * coarse;; deviation /= 4) {
+    finer = our_mesh(shape, {.deviation = deviation, .angle = 0.1});
+    if (static_cast<int>(finer.points.size()) >= samples || deviation < 1e-3 * kFiner * coarse)
+      break;
+  }
+  double most = facets_off(faces, mesh, finer, each);
+  const FaceTriangles near(mesh, faces.Extent());
+  for (std::size_t t = 0; t < finer.triangles.size(); ++t)
+    for (const int corner : finer.triangles[t]) {
+      const double gap = near.distance(finer.face[t], finer.points[index(corner)]);
+      if (std::isfinite(gap)) most = std::max(most, gap);
     }
   return most;
 }

@@ -30,8 +30,9 @@ FacetMesh our_mesh(const TopoDS_Shape& shape, const FacetOptions& options);
 /// By BRepMesh_IncrementalMesh; the shape's own triangles are taken away before and after.
 FacetMesh occt_mesh(const TopoDS_Shape& shape, double deflection, double angle);
 
-/// The largest distance of samples, of the facets from their faces' surfaces and of surfaces from
-/// the mesh; about so many of either.
+/// The largest distance of samples, of the facets from their faces and of faces from their facets;
+/// about so many of either. Of the faces these are the corners of a finer mesh: places of the
+/// surface over a facet's parameters may be beyond a border.
 double measured_distance(const TopoDS_Shape& shape, const FacetMesh& mesh, int samples);
 
 }  // namespace blossom::bench
