@@ -11,11 +11,11 @@ namespace blossom {
 namespace {
 
 constexpr double kAimedPart = 0.85;  // of the deviation: the rest is for what bounds leave open
-constexpr double kFinePart = 0.04;   // of the deviation, for the finer polyline
+constexpr double kFinePart = 0.04;   // of the distance of chords, for the finer polyline
 constexpr double kShortest = 1e-3;   // of the deviation: segments, but where an edge is no longer
 constexpr int kDeepest = 14;         // halvings of a span
 constexpr double kKink = 0.02;       // radians between spans: a corner, which gets a point
-constexpr double kRounding = 1e-6;   // of a segment: no more of them for that
+constexpr double kRounding = 1e-6;   // of a segment or the deviation: nothing more for that
 constexpr int kLeastClosed = 3;
 
 struct Piece {
@@ -50,14 +50,27 @@ Piece low_half(Piece& piece) {
 
 EdgePolyline::EdgePolyline(const CurveSpans& curve, bool closed, const FacetOptions& options)
     : curve_(curve), options_(options) {
-  for (std::size_t k = 0; k < curve_.spans.size(); ++k) flatten(curve_.spans[k], k == 0);
+  make(closed, kFinePart * options_.deviation);
+  // Chords that the angle or the length ask for may be far nearer than the deviation. At twice the
+  // thickness they are proven within 1.16 times their distance, which is near enough.
+  const double chords = distance_ - 2 * thickness_ - curve_.error;
+  const double fine = std::max(kFinePart * chords, kRounding * options_.deviation);
+  if (thickness_ > 2 * fine) make(closed, fine);
+}
+
+void EdgePolyline::make(bool closed, double fine) {
+  for (std::vector<double>* values : {&fine_parameters_, &sigma_, &parameters_}) values->clear();
+  fine_points_.clear();
+  points_.clear();
+  kinks_.clear();
+  thickness_ = 0;
+  for (std::size_t k = 0; k < curve_.spans.size(); ++k) flatten(curve_.spans[k], k == 0, fine);
   kinks_.push_back(fine_points_.size() - 1);
   spread(closed);
   prove();
 }
 
-void EdgePolyline::flatten(const CurveSpan& span, bool first) {
-  const double fine = kFinePart * options_.deviation;
+void EdgePolyline::flatten(const CurveSpan& span, bool first, double fine) {
   if (first) {
     fine_parameters_.push_back(span.place.from);
     fine_points_.push_back(projected(span.curve.points.front()));

@@ -36,7 +36,8 @@ class EdgePolyline {
   void split(const std::vector<std::size_t>& segments);
 
  private:
-  void flatten(const CurveSpan& span, bool first);
+  void make(bool closed, double fine);
+  void flatten(const CurveSpan& span, bool first, double fine);
   void drop_close_kinks();
   void spread(bool closed);
   void breaks_between(std::size_t from, std::size_t to, int least);

@@ -143,6 +143,7 @@ void run_ours(const std::string& file, const Settings& settings, Counts& counts)
   std::printf("| %s | %s | %.2f |\n", std::filesystem::path(file).stem().c_str(),
               told(mesh, measured, deflection, our_memory(model.shape(), options), verdict).c_str(),
               measured > 0 ? mesh.proven / measured : 1.0);
+  if (settings.faces) print_faces(mesh);
   std::fflush(stdout);
   ++counts.models;
   counts.closed += verdict && verdict->closed;

@@ -117,11 +117,23 @@ TEST(EdgePolyline, HalvesTheSegmentsThatItIsTold) {
   EXPECT_EQ(line.points()[2], (Vec3{6, 0, 0}));
 }
 
+// Of the deviation their bound is a small part, too.
+TEST(EdgePolyline, IsProvenAsNearAsItsAngleOrLengthMakesIt) {
+  for (const FacetOptions& options :
+       {FacetOptions{.deviation = 1, .angle = 0.1},
+        FacetOptions{.deviation = 1, .angle = 0, .edge_length = 0.1}}) {
+    const EdgePolyline line(circle(), true, options);
+    const double gap = sampled(circle(), line);
+    EXPECT_LE(gap, line.distance());
+    EXPECT_LE(line.distance(), 1.2 * gap);
+  }
+}
+
 // Chords over halves of a curve that swings are farther from it than the one over the whole.
 TEST(EdgePolyline, StaysWithinItsBoundWhenItIsSplit) {
   const CurveSpans swing =
       curve_spans(BezierCurve{{{0, 0, 0}, {20, 9, 0}, {40, -9, 0}, {60, -1, 0}, {80, 0, 0}}});
-  EdgePolyline line(swing, false, {.deviation = 6.9, .angle = 0});
+  EdgePolyline line(swing, false, {.deviation = 20, .angle = 0});
   ASSERT_EQ(line.segments(), 1u);
   const double whole = sampled(swing, line);
 
