@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/base/errors.h"
@@ -41,8 +42,10 @@ class FacetBuilder {
  public:
   FacetBuilder(const ModelFace& face, const ShapeModel& model,
                const std::vector<EdgePolyline>& polylines, const ChartSurface& surface,
-               const FacetOptions& options, const std::function<bool()>& ask)
+               const FacetOptions& options, const std::set<CommonSide>& parted,
+               const std::function<bool()>& ask)
       : ask_(ask),
+        parted_(parted),
         model_(model),
         polylines_(polylines),
         surface_(surface),
@@ -74,7 +77,8 @@ class FacetBuilder {
     }
     take_corners(mesh);
     add_rows(mesh);
-    refine(mesh);
+    refine(mesh, faces_inside(mesh));
+    if (!parted_.empty()) part_sides(mesh);
     FaceAttempt made{last ? std::vector<EdgeSegment>{} : folding_sides(mesh), {}};
     if (made.splits.empty()) made.facets = collected(mesh);
     return made;
@@ -307,10 +311,45 @@ class FacetBuilder {
     return best;
   }
 
-  void refine(ConstrainedDelaunay& mesh) {
-    std::vector<int> open;
+  static std::vector<int> faces_inside(const ConstrainedDelaunay& mesh) {
+    std::vector<int> inside;
     for (std::size_t i = 0; i < mesh.faces().size(); ++i)
-      if (mesh.faces()[i].inside) open.push_back(static_cast<int>(i));
+      if (mesh.faces()[i].inside) inside.push_back(static_cast<int>(i));
+    return inside;
+  }
+
+  // Points in the middles of what is not to be a side.
+  void part_sides(ConstrainedDelaunay& mesh) {
+    std::vector<int> open;
+    for (const int number : faces_inside(mesh)) {
+      const Face face = mesh.faces()[index(number)];
+      if (is_flat(face.corner)) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::optional<FacetSide> side = common_side(face, k);
+        if (!side || !side->across || !parted_.contains(side->ends)) continue;
+        const int made = add_inner(mesh, 0.5 * (uv_of(face, k + 1) + uv_of(face, k + 2)), number);
+        mesh.for_each_face_at(made, [&](int changed) { open.push_back(changed); });
+        break;
+      }
+    }
+    refine(mesh, std::move(open));
+  }
+
+  // That opposite to a corner, if both its ends are on edges.
+  std::optional<FacetSide> common_side(const Face& face, std::size_t k) const {
+    const EdgePoint& a = corners_[index(face.corner[(k + 1) % 3])].origin;
+    const EdgePoint& b = corners_[index(face.corner[(k + 2) % 3])].origin;
+    if (a.edge < 0 || b.edge < 0) return {};
+    const auto [low, high] = std::minmax({common_point(a), common_point(b)});
+    return FacetSide{{low, high}, !face.fixed[k]};
+  }
+
+  CommonPoint common_point(const EdgePoint& origin) const {
+    const int vertex = vertex_of(origin);
+    return vertex >= 0 ? CommonPoint{-1, index(vertex)} : CommonPoint{origin.edge, origin.number};
+  }
+
+  void refine(ConstrainedDelaunay& mesh, std::vector<int> open) {
     far_.resize(mesh.faces().size());
     while (!open.empty()) {
       const int number = open.back();
@@ -397,6 +436,7 @@ class FacetBuilder {
       result.folded += is_folded(face.corner);
       std::array<int, 3> triangle{};
       for (std::size_t k = 0; k < 3; ++k) {
+        if (const auto side = common_side(face, k)) result.sides.push_back(*side);
         int& place = places[index(face.corner[k])];
         if (place < 0) {
           place = static_cast<int>(result.corners.size());
@@ -411,6 +451,7 @@ class FacetBuilder {
   }
 
   const std::function<bool()>& ask_;
+  const std::set<CommonSide>& parted_;
   int added_ = 0;  // points inside
   const ShapeModel& model_;
   const std::vector<EdgePolyline>& polylines_;
@@ -428,9 +469,10 @@ class FacetBuilder {
 
 FaceAttempt facets_of(const ModelFace& face, const ShapeModel& model,
                       const std::vector<EdgePolyline>& polylines, const ChartSurface& surface,
-                      const FacetOptions& options, int round, const std::function<bool()>& ask) {
+                      const FacetOptions& options, const std::set<CommonSide>& parted, int round,
+                      const std::function<bool()>& ask) {
   try {
-    return FacetBuilder(face, model, polylines, surface, options, ask).attempt(round);
+    return FacetBuilder(face, model, polylines, surface, options, parted, ask).attempt(round);
   } catch (const InvalidInput& error) {
     FaceAttempt attempt;
     attempt.facets.obstacle = error.what();

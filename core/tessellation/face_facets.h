@@ -4,8 +4,12 @@
 #pragma once
 
 #include <array>
+#include <compare>
+#include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/math/vec.h"
@@ -25,12 +29,31 @@ struct FaceCorner {
   Vec3 normal;  ///< unit, along S_u x S_v; zero where that vanishes
 };
 
+/// A point of edges, the same for all their faces: a vertex, by its number alone, or a point inside
+/// of an edge.
+struct CommonPoint {
+  int edge = -1;
+  std::size_t number = 0;
+
+  friend auto operator<=>(const CommonPoint&, const CommonPoint&) = default;
+};
+
+/// Two of them, the lower one first.
+using CommonSide = std::pair<CommonPoint, CommonPoint>;
+
+/// A side of a facet between points of edges.
+struct FacetSide {
+  CommonSide ends;
+  bool across = false;  ///< within the face, not along an edge
+};
+
 struct FaceFacets {
   std::vector<FaceCorner> corners;
   /// Numbers of corners, counter-clockwise round S_u x S_v.
   std::vector<std::array<int, 3>> triangles;
-  double distance = 0;  ///< proven between facets and surface, both ways; model units
-  double moved = 0;     ///< of that: how far corners on edges are off the surface, at most
+  double distance = 0;           ///< proven between facets and surface, both ways; model units
+  double moved = 0;              ///< of that: how far corners on edges are off the surface, at most
+  std::vector<FacetSide> sides;  ///< between points of edges, each by itself for each facet at it
   int folded = 0;  ///< facets whose normal is turned from the surface's by more than a right angle
   std::string obstacle = {};  ///< why there are no facets; empty if all is well
 };
@@ -50,12 +73,14 @@ inline constexpr int kLastRound = 14;
 ///
 /// vertices    of the model
 /// polylines   of all edges
+/// parted      sides that get a point in their middle where they are across the face, as another
+///             face has them, too
 /// round       of attempts, from 0 on; in the last one nothing is divided any more, and what
 ///             crosses is an obstacle
 /// ask         asked now and then whether to go on; what is returned if it says no means nothing
 FaceAttempt facets_of(const ModelFace& face, const ShapeModel& model,
                       const std::vector<EdgePolyline>& polylines, const ChartSurface& surface,
-                      const FacetOptions& options, int round,
+                      const FacetOptions& options, const std::set<CommonSide>& parted, int round,
                       const std::function<bool()>& ask = {});
 
 }  // namespace blossom

@@ -48,6 +48,7 @@ class Mesher {
         ask_(ask),
         polylines_(model.edges.size()),
         surfaces_(model.faces.size()),
+        parted_(model.faces.size()),
         attempts_(model.faces.size()) {}
 
   ShapeFacets facets() {
@@ -63,6 +64,9 @@ class Mesher {
       if (stopped_) break;
       open = faces_at(divide(open));
     }
+    for (open = faces_with_common_diagonals(); !open.empty() && !stopped_;
+         open = faces_with_common_diagonals())
+      attempt(open, kLastRound);
     ShapeFacets result;
     result.stopped = stopped_;
     return stopped_ ? result : numbered();
@@ -98,7 +102,7 @@ class Mesher {
       const std::size_t f = faces[k];
       const ModelFace& face = model_.faces[f];
       if (!surfaces_[f]) surfaces_[f] = std::make_unique<ChartSurface>(face.surface, options_);
-      attempts_[f] = facets_of(face, model_, polylines_, *surfaces_[f], options_, round,
+      attempts_[f] = facets_of(face, model_, polylines_, *surfaces_[f], options_, parted_[f], round,
                                [this] { return goes_on(); });
     });
   }
@@ -127,6 +131,37 @@ class Mesher {
       if (std::ranges::any_of(model_.faces[f].edges, [&](int e) { return edges.contains(e); }))
         found.push_back(f);
     return found;
+  }
+
+  struct SideUse {
+    FacetSide side;
+    std::size_t face = 0;
+  };
+
+  // Between the same two points of edges, diagonals of different faces and chords are one side,
+  // which would have more than two facets. One at most may stay, a chord if there is one; what the
+  // other faces have to part is noted. They are done when nothing new is.
+  std::vector<std::size_t> faces_with_common_diagonals() {
+    std::vector<SideUse> uses;
+    for (std::size_t f = 0; f < attempts_.size(); ++f)
+      for (const FacetSide& side : attempts_[f].facets.sides) uses.push_back({side, f});
+    std::ranges::stable_sort(uses, {}, [](const SideUse& use) { return use.side.ends; });
+    std::set<std::size_t> changed;
+    for (auto from = uses.begin(); from != uses.end();) {
+      const auto to = std::find_if(
+          from, uses.end(), [&](const SideUse& use) { return use.side.ends != from->side.ends; });
+      const bool has_chord =
+          std::any_of(from, to, [](const SideUse& use) { return !use.side.across; });
+      const auto first =
+          std::count_if(from, to, [&](const SideUse& use) { return use.face == from->face; });
+      const bool first_stays = !has_chord && first <= 2;
+      for (auto use = from; use != to && to - from > 2; ++use)
+        if (use->side.across && !(first_stays && use->face == from->face) &&
+            parted_[use->face].insert(use->side.ends).second)
+          changed.insert(use->face);
+      from = to;
+    }
+    return {changed.begin(), changed.end()};
   }
 
   ShapeFacets numbered() const {
@@ -185,6 +220,7 @@ class Mesher {
   std::atomic<bool> stopped_ = false;
   std::vector<EdgePolyline> polylines_;
   std::vector<std::unique_ptr<ChartSurface>> surfaces_;
+  std::vector<std::set<CommonSide>> parted_;  // of each face
   std::vector<FaceAttempt> attempts_;
 };
 

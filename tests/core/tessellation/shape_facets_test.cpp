@@ -62,6 +62,19 @@ double area(const ShapeFacets& facets) {
   return sum;
 }
 
+// How many facets are at each side.
+std::map<std::pair<int, int>, int> side_uses(const ShapeFacets& facets) {
+  std::map<std::pair<int, int>, int> uses;
+  for (const MeshedFace& face : facets.faces)
+    for (const auto& triangle : face.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int from = face.vertices[static_cast<std::size_t>(triangle[k])],
+                  to = face.vertices[static_cast<std::size_t>(triangle[(k + 1) % 3])];
+        ++uses[std::minmax(from, to)];
+      }
+  return uses;
+}
+
 TEST(ShapeFacets, OfASquareAreTwoTriangles) {
   const ShapeFacets facets = shape_facets(square(), {.deviation = 0.1});
   ASSERT_EQ(facets.faces.size(), 1u);
@@ -313,16 +326,41 @@ TEST(ShapeFacets, OfEdgesWithTheSameEndsHaveNoSideInCommon) {
   face.edges.insert(face.edges.end(), {4, 5});
   const ShapeFacets facets = shape_facets(model, {.deviation = 1, .angle = 0});
   ASSERT_EQ(facets.faces[0].obstacle, "");
-  std::map<std::pair<int, int>, int> uses;
-  for (const auto& triangle : facets.faces[0].triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::vector<int>& of = facets.faces[0].vertices;
-      const int from = of[static_cast<std::size_t>(triangle[k])],
-                to = of[static_cast<std::size_t>(triangle[(k + 1) % 3])];
-      ++uses[std::minmax(from, to)];
-    }
-  EXPECT_EQ((uses[{4, 5}]), 1);
+  EXPECT_EQ((side_uses(facets)[{4, 5}]), 1);
   EXPECT_LT(area(facets), 1 - 0.5 * 0.2 * 0.009);  // the hole is there
+}
+
+// Alike triangulations of two faces with the same borders have the same diagonals.
+TEST(ShapeFacets, OfTwoFacesHaveNoDiagonalInCommon) {
+  ShapeModel model = square();
+  model.faces.push_back(model.faces[0]);
+  const ShapeFacets facets = shape_facets(model, {.deviation = 1, .angle = 0});
+  for (const auto& [side, uses] : side_uses(facets))
+    EXPECT_EQ(uses, 2) << side.first << " " << side.second;
+  EXPECT_DOUBLE_EQ(area(facets), 2);
+  EXPECT_EQ(facets.faces[0].triangles.size(), 2u);
+}
+
+// The diagonal of the square is an edge of another face.
+TEST(ShapeFacets, HaveNoDiagonalAlongAnotherFacesEdge) {
+  ShapeModel model = square();
+  const std::map<std::pair<int, int>, int> alone =
+      side_uses(shape_facets(model, {.deviation = 1, .angle = 0}));
+  const int from = alone.contains({0, 2}) ? 0 : 1;
+  const int to = from + 2, third = from + 1;
+  model.edges.push_back({straight(model.vertices[static_cast<std::size_t>(from)],
+                                  model.vertices[static_cast<std::size_t>(to)]),
+                         from, to});
+  ModelFace half = model.faces[0];
+  const auto corner = [&](int k) { return half.chart.corners[static_cast<std::size_t>(k)]; };
+  half.chart.borders = {half.chart.borders[static_cast<std::size_t>(from)],
+                        half.chart.borders[static_cast<std::size_t>(third)],
+                        line(corner(from), corner(to), to, from, true)};
+  half.edges = {from, third, 4};
+  model.faces.push_back(half);
+  const ShapeFacets facets = shape_facets(model, {.deviation = 1, .angle = 0});
+  EXPECT_EQ((side_uses(facets)[{from, to}]), 1);
+  EXPECT_DOUBLE_EQ(area(facets), 1.5);
 }
 
 TEST(ShapeFacets, SayWhichFaceHasCrossingBorders) {
