@@ -203,16 +203,18 @@ Answer cut_mesh(const SharedMesh& mesh, const std::vector<MeshPlaneWords>& plane
 }
 
 Answer farthest(const SharedMesh& a, const MeshOrModel& b, double tolerance,
-                const Control& control) {
+                std::optional<double> within, const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = turn_of(b, watch);
     const IntersectionOptions left = watch.engine();
     const WorkLimit limit(left);
     meshes::MeshSource first = source_of(a, watch), second = source_of(b, watch);
-    const meshes::MeshDistance found = meshes::distance_of(first, second, tolerance, [&] {
+    const auto goes_on = [&] {
       watch.stop();
       return limit.reached() == nullptr;
-    });
+    };
+    const meshes::MeshDistance found =
+        meshes::distance_of(first, second, tolerance, goes_on, within);
     return made_answer(meshes::mesh_distance_report(found), nullptr);
   });
 }
@@ -288,12 +290,12 @@ void add_mesh_questions(py::module_& module) {
   module.def(
       "mesh_distance",
       [](const Own& a, const std::variant<Own, SharedModel>& b, double tolerance,
-         const Control& control) {
+         std::optional<double> within, const Control& control) {
         if (const auto* mesh = std::get_if<Own>(&b))
-          return farthest(a, SharedMesh(*mesh), tolerance, control);
-        return farthest(a, std::get<SharedModel>(b), tolerance, control);
+          return farthest(a, SharedMesh(*mesh), tolerance, within, control);
+        return farthest(a, std::get<SharedModel>(b), tolerance, within, control);
       },
-      arg("a"), arg("b"), arg("tolerance"), arg("control"));
+      arg("a"), arg("b"), arg("tolerance"), arg("within"), arg("control"));
   module.def(
       "write_triangles",
       [](const Own& mesh, const std::string& path, bool text, const Control& control) {

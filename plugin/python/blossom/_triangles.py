@@ -142,6 +142,12 @@ class MeshDistance(Result):
         told = self._told()
         return (float(told["lower"]), float(told["upper"]))
 
+    @property
+    def is_within(self) -> Optional[bool]:
+        """Whether it is at most `within`; None: not asked, or not decided."""
+        answer: Optional[bool] = self._told()["is_within"]
+        return answer
+
     def _items(self) -> List[Any]:
         return [self._told()["a_to_b"], self._told()["b_to_a"]]
 
@@ -249,14 +255,19 @@ class Triangles:
         listed = _checks.planes_of_sections(planes, offsets, point, normal)
         return MeshSections(_core.section_mesh(self._core, listed, _checks.control(options)))
 
-    def distance(self, other: Any, **options: Any) -> MeshDistance:
+    def distance(self, other: Any, *, within: Any = None, **options: Any) -> MeshDistance:
         """How far it is from another mesh or a model at worst, both ways, between bounds.
 
+        within      a distance: the answer's `is_within` tells whether it is at most that, and no
+                    more is done than tells it
         tolerance   how near the bounds are to be, else a tenth of the distance; 1e-7
         """
         b = _other(other)
+        asked = None if within is None else _checks.not_negative(within, "within")
         least = _checks.positive(options.get("tolerance", 1e-7), "tolerance")
-        return MeshDistance(_core.mesh_distance(self._core, b, least, _checks.control(options)))
+        return MeshDistance(
+            _core.mesh_distance(self._core, b, least, asked, _checks.control(options))
+        )
 
     def fill(self, **options: Any) -> "Triangles":
         """The mesh with all its holes filled, by a group "fill"; `filling` tells of each."""

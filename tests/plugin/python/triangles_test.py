@@ -65,6 +65,15 @@ class MeshQuestions(unittest.TestCase):
         self.assertLessEqual(low, mesh.deviation)
         self.assertLess(high, 1.3 * mesh.deviation)
 
+    def test_distance_is_decided_by_yes_or_no(self):
+        drill = blossom.read(FILES / "drill.step")
+        mesh = blossom.from_mesh(drill.mesh(0.05))
+        self.assertIs(mesh.distance(drill, within=0.06).is_within, True)
+        self.assertIs(mesh.distance(drill, within=0.01).is_within, False)
+        self.assertIsNone(mesh.distance(drill).is_within)
+        with self.assertRaisesRegex(ValueError, "^within: "):
+            mesh.distance(drill, within=-1)
+
     def test_holes_are_filled(self):
         whole = cube(without=(1, 3)).fill()
         self.assertTrue(whole.check())
