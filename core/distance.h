@@ -39,6 +39,8 @@ struct DistanceOperand {
 struct HullBound {
   std::vector<Vec3> points;  ///< model units; at least one
   double margin = 0;         ///< how far outside of it a coordinate may be
+  /// How far the border that trims leave may be from the curves of the set that stand for it.
+  double border_gap = 0;
 };
 
 /// A set of which only hulls are there at first: a part is made when a question comes near it.
@@ -87,6 +89,16 @@ inline constexpr double kDistanceResolution = 1e-10;
 /// deepest.
 inline constexpr double kDistanceRounding = 0x1p-39;
 
+/// How far a set goes in a direction.
+struct FarthestResult {
+  double lower = 0;  ///< so far at least; reached by a point of the set, or known before
+  double upper = 0;  ///< and no farther, proven
+
+  /// Complete: the bounds agree to kDistanceRounding or what was asked for. Stopped: as above.
+  Status status = Status::Complete;
+  long cells = 0;  ///< looked at
+};
+
 struct DistanceOptions {
   /// Pairs of cells looked at before giving up.
   long budget = 400'000;
@@ -121,6 +133,8 @@ class PreparedSet {
  private:
   friend DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
                                        const DistanceOptions& options);
+  friend FarthestResult farthest_along(const PreparedSet& set, int axis, bool backwards,
+                                       double known, const DistanceOptions& options);
   friend bool proven_to_cross(const PreparedSet& a, int part_a, const PreparedSet& b, int part_b,
                               const Vec3& point, double within, double room);
   std::unique_ptr<DistanceParts> parts_;
@@ -131,6 +145,15 @@ DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
                               const DistanceOptions& options = {});
 /// throws   as PreparedSet
 DistanceResult least_distance(const DistanceOperand& a, const DistanceOperand& b,
+                              const DistanceOptions& options = {});
+
+/// How far a set goes along an axis, or backwards: then the largest of -x, -y or -z. The curves of
+/// the set count as the borders of its surfaces. Where they are farther off than what need not be
+/// told apart, some corners of cells are asked for, too; the upper bound allows for the gap.
+///
+/// known     what goes no farther than this is not looked at; minus infinity: everything is
+/// options   `enough` does not count
+FarthestResult farthest_along(const PreparedSet& set, int axis, bool backwards, double known,
                               const DistanceOptions& options = {});
 
 /// Whether the surfaces of two parts of sets are proven to cross within their trims. Looked for

@@ -12,6 +12,7 @@
 
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -73,6 +74,14 @@ class MeasuredFace {
   std::atomic<int> asked_ = 0;
 };
 
+// Of a face's edges, which are so far from its border.
+double largest_edge_tolerance(const TopoDS_Shape& face) {
+  double largest = 0;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+  return largest;
+}
+
 // Which spans of an edge its curves are.
 struct EdgeSpan {
   Interval place;
@@ -125,7 +134,11 @@ struct MeasuredShape::Impl {
       shapes.place_of(vertex).Transforms(p);
       parts.points.push_back({p.X(), p.Y(), p.Z()});
     }
-    for (int i = 0; i < static_cast<int>(faces.size()); ++i) parts.hulls.push_back(face_hull(i));
+    for (int i = 0; i < static_cast<int>(faces.size()); ++i) {
+      parts.hulls.push_back(face_hull(i));
+      parts.hulls.back().border_gap =
+          largest_edge_tolerance(shapes.faces()[static_cast<std::size_t>(i)].shape);
+    }
     for (int i = 0; i < static_cast<int>(shapes.edges().size()); ++i)
       // A degenerated one is a point: its vertex is there.
       if (!BRep_Tool::Degenerated(TopoDS::Edge(shapes.edges()[static_cast<std::size_t>(i)].shape)))

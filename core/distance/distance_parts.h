@@ -52,6 +52,12 @@ class DistanceParts {
   const Box& bounds() const { return bounds_; }
   /// Of a part's hull, else of its box, along a direction no longer than 1.
   Interval heights(int part, const Vec3& direction) const;
+  /// As its hull has it.
+  double border_gap(int part) const {
+    return hulls_.empty() || is_point(part)
+               ? 0
+               : hulls_[static_cast<std::size_t>(part - points())].border_gap;
+  }
   /// Largest absolute coordinate of a box.
   double scale() const { return scale_; }
   /// The first parts are the points that were there from the beginning.

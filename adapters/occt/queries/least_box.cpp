@@ -28,48 +28,27 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/distance.h"
-#include "core/math/grid.h"
+#include "core/math/vec.h"
 
 namespace blossom::occt {
 namespace {
 
-// Of the size of a box: how far beyond it planes are. Near ones lose fewer digits.
-constexpr double kBeyond = 1e-3;
 constexpr double kPrecision = 1e-7;  // model units, what is Open CASCADE's confusion
 // Of the size of a box: how far edges may be from the borders of their faces and still bound them.
 // Searches end at less precise boxes where a face comes as far all along a line.
 constexpr double kBorder = 1e-6;
 // Of cells, for a side: where a shape comes as far all along a curve, the last digits take a time
 // that nobody wants to wait; the box says how precise it is.
-constexpr long kMaxPairs = 20'000;
+constexpr long kMaxCells = 20'000;
 
-// A box that is not the least, but holds all of the shape, and more.
-Box some_box(const TopoDS_Shape& shape) {
+// Of a box that is not the least, but holds all of the shape.
+double size_of(const TopoDS_Shape& shape) {
   Bnd_Box found;
   BRepBndLib::Add(shape, found, Standard_False);
   if (found.IsVoid() || found.IsOpen()) throw BadModel("the shape has no end, or nothing in it");
   Box box;
   found.Get(box.low[0], box.low[1], box.low[2], box.high[0], box.high[1], box.high[2]);
-  const double beyond = kBeyond * std::max(1.0, max_norm(box.high - box.low));
-  return {box.low - Vec3{beyond, beyond, beyond}, box.high + Vec3{beyond, beyond, beyond}};
-}
-
-// A square through a point across an axis, that goes beyond the box in the other directions.
-PreparedSet wall(const Box& box, int axis, double at) {
-  const double size = max_norm(box.high - box.low);
-  BezierSurface square{.u_knots = {0, 1}, .v_knots = {0, 1}};
-  square.patches = Grid<RationalBezierPatch>(1, 1);
-  Grid<Vec4>& corners = square.patches(0, 0).points;
-  corners = Grid<Vec4>(2, 2);
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) {
-      Vec3 corner = 0.5 * (box.low + box.high);
-      corner[axis] = at;
-      corner[(axis + 1) % 3] += (2 * i - 1) * size;
-      corner[(axis + 2) % 3] += (2 * j - 1) * size;
-      corners(i, j) = {corner[0], corner[1], corner[2], 1};
-    }
-  return PreparedSet(measured(square));
+  return max_norm(box.high - box.low);
 }
 
 // Whether a surface consists of straight lines along which a parameter runs.
@@ -225,24 +204,22 @@ class Outermost {
 }  // namespace
 
 LeastBox least_box(const TopoDS_Shape& shape, const std::function<bool()>& cancelled) {
-  const Box around = some_box(shape);
-  const Outermost outermost(shape, max_norm(around.high - around.low));
+  const Outermost outermost(shape, size_of(shape));
   LeastBox least{outermost.points(), outermost.slack()};
   if (outermost.parts().NbChildren() == 0) return least;
   const MeasuredShape parts(outermost.parts());
   double gap = 0;
-  const auto nearest_to = [&](int axis, double at) {
-    const DistanceResult found = least_distance(
-        parts.set(), wall(around, axis, at),
-        {.budget = kMaxPairs, .cancelled = cancelled, .resolution = outermost.resolution()});
+  const auto farthest = [&](int axis, bool backwards, double known) {
+    const FarthestResult found = farthest_along(
+        parts.set(), axis, backwards, known,
+        {.budget = kMaxCells, .cancelled = cancelled, .resolution = outermost.resolution()});
     gap = std::max(gap, found.upper - found.lower);
-    return found.a.point[axis];
+    return found.lower;
   };
   for (int axis = 0; axis < 3; ++axis) {
-    if (outermost.is_open(axis, false))
-      least.box.low[axis] = std::min(least.box.low[axis], nearest_to(axis, around.low[axis]));
-    if (outermost.is_open(axis, true))
-      least.box.high[axis] = std::max(least.box.high[axis], nearest_to(axis, around.high[axis]));
+    double &low = least.box.low[axis], &high = least.box.high[axis];
+    if (outermost.is_open(axis, false)) low = -farthest(axis, true, -low);
+    if (outermost.is_open(axis, true)) high = farthest(axis, false, high);
   }
   // A side is passed by what was searched, or by what was not.
   least.precision = std::max(least.precision, gap + parts.error());
