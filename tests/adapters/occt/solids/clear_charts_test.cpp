@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -33,6 +36,15 @@ bool holds(const SolidTrimResult& made, const TopoDS_Face& face) {
     for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
       if (it.Current().IsEqual(face)) return true;
   return false;
+}
+
+// Of the nearest vertex or edge of a face that is no point.
+double distance(const TopoDS_Face& face, const TopoDS_Shape& from, TopAbs_ShapeEnum kind) {
+  double least = 1e100;
+  for (TopExp_Explorer it(face, kind); it.More(); it.Next())
+    if (kind == TopAbs_VERTEX || !BRep_Tool::Degenerated(TopoDS::Edge(it.Current())))
+      least = std::min(least, BRepExtrema_DistShapeShape(it.Current(), from).Value());
+  return least;
 }
 
 // Its pole lies on the wall, 2 from the axis of a cylinder of radius 2.
@@ -91,18 +103,80 @@ TEST(ClearCharts, LeaveFacesThatHaveEdges) {
   EXPECT_TRUE(clear_charts(box, half).turned.empty());
 }
 
-// Round its axis, which is all that can be turned of it.
+// The torus stays as it is, and its seams go elsewhere.
 TEST(ClearCharts, KeepTheCornerOfATorusOffFaces) {
   const TrimTool ring = trim_tool(BRepPrimAPI_MakeTorus(3, 1).Shape());
   const TrimTool box = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(4, -1, -1), gp_Pnt(6, 1, 1)).Shape());
   const ClearCharts made = clear_charts(ring, box);
   ASSERT_EQ(made.turned.size(), 1u);
+  const TopoDS_Face& face = made.solid.faces.front();
   const Handle(Geom_ToroidalSurface) torus =
-      Handle(Geom_ToroidalSurface)::DownCast(BRep_Tool::Surface(made.solid.faces.front()));
+      Handle(Geom_ToroidalSurface)::DownCast(BRep_Tool::Surface(face));
   ASSERT_FALSE(torus.IsNull());
-  EXPECT_NEAR(torus->MajorRadius(), 3, 1e-15);
+  EXPECT_EQ(torus->MajorRadius(), 3);
   EXPECT_TRUE(torus->Axis().IsParallel(gp_Ax1(gp::Origin(), gp::DZ()), 1e-15));
-  EXPECT_LT(torus->Value(0, 0).X(), 4 - 1.0 / 16);
+  EXPECT_GT(distance(face, box.solids.front(), TopAbs_VERTEX), 1.0 / 16);
+  EXPECT_TRUE(BRepCheck_Analyzer(face).IsValid());
+  ConeVolumes cones({0, 0, 0});
+  EXPECT_NEAR(cones.of(face), 6 * std::pow(std::numbers::pi, 2), 1e-6);
+}
+
+// A wall stands on the circle that is its seam about the axis, and touches it.
+TEST(ClearCharts, KeepSeamsAboutTheAxisOffWhatTheyTouch) {
+  gp_Trsf mirror;
+  mirror.SetMirror(gp_Ax2(gp_Pnt(0, 0, 0), gp::DX()));
+  const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(3, 1).Shape();
+  const TrimTool box = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-1, 4, -1), gp_Pnt(1, 6, 1)).Shape());
+  for (const TopoDS_Shape& shape :
+       {torus, TopoDS_Shape(BRepBuilderAPI_Transform(torus, mirror, true).Shape())}) {
+    const ClearCharts made = clear_charts(trim_tool(shape), box);
+    ASSERT_EQ(made.turned.size(), 1u);
+    const TopoDS_Face& face = made.solid.faces.front();
+    EXPECT_GT(distance(face, box.solids.front(), TopAbs_EDGE), 1.0 / 16);
+    ConeVolumes cones({0, 0, 0});
+    EXPECT_NEAR(cones.of(face), 6 * std::pow(std::numbers::pi, 2), 1e-6);
+  }
+}
+
+// Half a ring has the seam as its border.
+TEST(ClearCharts, LeaveASeamThatAFaceFollows) {
+  const TrimTool ring = trim_tool(BRepPrimAPI_MakeTorus(3, 1).Shape());
+  const TrimTool box = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-9, -9, 0), gp_Pnt(9, 9, 5)).Shape());
+  EXPECT_TRUE(clear_charts(ring, box).turned.empty());
+}
+
+// Both seams go through the same two points of the circle in which the balls meet.
+TEST(ClearCharts, KeepSeamsOffOtherSeams) {
+  gp_Trsf round;
+  round.SetRotation(gp_Ax1(gp_Pnt(2, 0, 0), gp::DZ()), std::numbers::pi);
+  const TrimTool ball = trim_tool(ball_at({0, 0, 0}, 2));
+  const TrimTool other =
+      trim_tool(BRepBuilderAPI_Transform(ball_at({2, 0, 0}, 1), round, true).Shape());
+  const ClearCharts made = clear_charts(ball, other);
+  ASSERT_EQ(made.turned.size(), 1u);
+  for (const double high : {-1.0, 1.0}) {
+    const TopoDS_Vertex meeting =
+        BRepBuilderAPI_MakeVertex(gp_Pnt(1.75, 0, high * std::sqrt(0.9375)));
+    EXPECT_GT(distance(made.solid.faces.front(), meeting, TopAbs_EDGE), 1.0 / 8);
+  }
+  EXPECT_TRUE(clear_charts(other, made.solid).turned.empty());
+}
+
+// The curve in which they meet touches the outermost circle of the first in its corner. A seam
+// there has to go elsewhere as well as the corner.
+TEST(ClearCharts, LetRingsMeetWhereASeamIsTouched) {
+  for (const double scale : {1.0, 7480.91}) {
+    const gp_Dir corner(0, -1, 0);
+    const gp_Ax2 flat(gp_Pnt(0, 0, 0), gp::DZ(), corner);
+    const gp_Ax2 upright(gp_Pnt(0, -3.5 * scale, -2.625 * scale), gp_Dir(-1, 0, 0), corner);
+    const TrimTool lying = trim_tool(BRepPrimAPI_MakeTorus(flat, 2 * scale, 1.5 * scale).Shape());
+    const TrimTool standing =
+        trim_tool(BRepPrimAPI_MakeTorus(upright, 1.5 * scale, 1.125 * scale).Shape());
+    const SolidTrimResult made = trim_solids(lying, {standing}, SolidOperation::Fuse);
+    ASSERT_TRUE(made.obstacles.empty()) << scale << ": " << made.obstacles.front();
+    ASSERT_EQ(made.solids.size(), 1u);
+    EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front()).IsValid());
+  }
 }
 
 // It stands on its pole.
