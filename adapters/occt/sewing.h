@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/math/vec.h"
@@ -20,6 +21,10 @@ struct Sewing {
   /// other border is near to, and the middle of the first. None if nothing is nearly closed.
   int open_edges = 0;
   Vec3 open_at;
+
+  /// Why faces stay loose that Open CASCADE fails to sew, whether or not they close; empty if it
+  /// does not fail.
+  std::string failed;
 
   bool renumbered = false;  ///< faces of several solids took turns: they have new numbers
 

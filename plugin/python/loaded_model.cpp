@@ -68,7 +68,7 @@ LoadedModel::Turn LoadedModel::turn(const Watch& watch) {
 }
 
 const std::vector<TopoDS_Face>& LoadedModel::faces(const Watch& watch, Loose loose) {
-  if (model_) {
+  if (model_ || loose == Loose::Sewn) {
     const reports::Input& input = repaired_input(watch, loose);
     if (input.faces.empty()) throw occt::BadModel(name_ + ": there is no face in it");
     return input.faces;
@@ -92,15 +92,12 @@ reports::Input& LoadedModel::input() {
   return measured_->input;
 }
 
-// Once; what is sewn already by another part of the model is told again. What Open CASCADE fails to
-// sew stays loose.
+// Once; what is sewn already by another part of the model is told again. Models that answers made
+// are as they were meant to be.
 void LoadedModel::sew(const Watch& watch) {
-  if (file() == nullptr || std::exchange(sewn_, true)) return;
-  try {
-    sewing_ = model_->sew({}, [&watch] { watch.stop(); });
-  } catch (const occt::Failure&) {
-    return;
-  }
+  if (sewn_ || (file() == nullptr && given_.IsNull())) return;
+  sewing_ = model().sew({}, [&watch] { watch.stop(); });
+  sewn_ = true;
   measured_.reset();
   rays_.reset();
   repaired_ = false;

@@ -23,8 +23,8 @@ namespace blossom::python {
 /// Whether a model is repaired when the first question needs that, as files are.
 enum class Repair { WhenUsed, Never };
 
-/// What becomes of a file's loose faces: sewn into the solids that they close, see
-/// occt::Model::sew.
+/// What becomes of loose faces of a file or of a caller's shape, which itself stays as it is: sewn
+/// into the solids that they close, see occt::Model::sew.
 enum class Loose { Sewn, Kept };
 
 /// A file's model, one that was made, or a shape of the caller's, which is never changed; or some

@@ -63,7 +63,9 @@ class SewingOfModel {
       if (numbers.size() > 1 && numbers.size() < loose_.size()) sew(numbers);
     }
     if (!loose_.empty()) sew({loose_.begin(), loose_.end()});
-    if (loose_.empty()) told_.open_edges = 0;
+    if (!loose_.empty()) return;
+    told_.open_edges = 0;
+    told_.failed.clear();
   }
 
   const std::vector<SolidOfFaces>& solids() const { return solids_; }
@@ -73,7 +75,16 @@ class SewingOfModel {
   void sew(const std::vector<int>& numbers) {
     std::vector<TopoDS_Face> faces;
     for (const int number : numbers) faces.push_back(TopoDS::Face(contents_.faces(number)));
-    const SewnFaces made = sewn_faces(faces, within_, stop_);
+    told_.open_edges = 0;
+    told_.failed.clear();
+    try {
+      add(sewn_faces(faces, within_, stop_), numbers);
+    } catch (const Failure& failure) {
+      told_.failed = failure.what();
+    }
+  }
+
+  void add(const SewnFaces& made, const std::vector<int>& numbers) {
     told_.open_edges = made.open_edges;
     told_.open_at = made.open_at;
     if (made.solids.empty()) return;
@@ -123,12 +134,18 @@ Sewing Model::sew(std::optional<double> within, const std::function<void()>& sto
   SewingOfModel sewing(*impl_, within, stop);
   if (!shape().IsNull()) sewing.sew_parts(assembly());
   Sewing told = sewing.told();
-  if (!sewing.solids().empty())
-    guarded("putting solids in the place of loose faces", [&] {
-      put_solids(*impl_, sewing.solids(), file().stem().string());
-      impl_->refresh();
-      told.renumbered = are_renumbered(sewing.solids(), *impl_);
-    });
+  if (!sewing.solids().empty()) try {
+      guarded("putting solids in the place of loose faces", [&] {
+        put_solids(*impl_, sewing.solids(), file().stem().string());
+        impl_->refresh();
+        told.renumbered = are_renumbered(sewing.solids(), *impl_);
+      });
+    } catch (const Failure& failure) {
+      const int loose = told.loose;
+      told = {};
+      told.loose = loose;
+      told.failed = failure.what();
+    }
   impl_->sewing = told;
   return told;
 }

@@ -120,23 +120,17 @@ void select(const InputName& name, Faces need, Input& input) {
     input.selected = shape_of(selection, input.numbers, input.model);
 }
 
-// A limit of 0 leaves faces loose, and so does what Open CASCADE fails on: commands can use them.
+// A limit of 0 leaves faces loose, and so does what Open CASCADE fails on, or breaks down on:
+// commands can use them.
 void sew(const std::filesystem::path& file, occt::Model& model, Input& input) {
   const std::optional<double>& within = reading_policy().sew;
   if (within == 0) return;
   const bool first = !model.is_sewn();
-  const auto tell = [&](const std::string& text) {
-    if (first) note(file.string() + ": " + text);
-  };
-  try {
-    const bool done = watched_checks(file)(
-        "sewing the loose faces", [&] { input.sewing = model.sew(within, stop_if_interrupted); });
-    if (!done)
-      tell("its loose faces stay loose: Open CASCADE's sewing of them crashes or never ends");
-  } catch (const occt::Failure& failure) {
-    tell(std::string("its loose faces stay loose: ") + failure.what());
-  }
-  for (const std::string& line : reports::words_of(input.sewing)) tell(line);
+  const bool done = watched_checks(file)(
+      "sewing the loose faces", [&] { input.sewing = model.sew(within, stop_if_interrupted); });
+  if (!done) input.sewing.failed = "Open CASCADE's sewing of them crashes or never ends";
+  if (!first) return;
+  for (const std::string& line : reports::words_of(input.sewing)) note(file.string() + ": " + line);
 }
 
 void tell(const occt::Repairs& repairs, const std::filesystem::path& file) {

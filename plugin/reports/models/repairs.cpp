@@ -108,6 +108,9 @@ std::vector<std::string> words_of(const occt::Sewing& sewing) {
     if (sewing.renumbered)
       lines.back() += "; those of several solids took turns and have new numbers";
   }
+  if (!sewing.failed.empty())
+    lines.push_back(std::string(sewing.solids.empty() ? "its" : "the other") +
+                    " loose faces stay loose: " + sewing.failed);
   if (sewing.open_edges > 0) {
     const std::size_t left = number(sewing.loose - sewing.sewn());
     lines.push_back(counted(left, "loose face") + (left == 1 ? " closes" : " close") +
@@ -121,25 +124,26 @@ std::vector<std::string> words_of(const occt::Sewing& sewing) {
 Json repairs_json(const Input& input) {
   const occt::Repairs& repairs = input.repairs;
   const std::size_t added = added_count(repairs);
-  return {{"input", input.name},
-          {"curves_recomputed",
-           {{"count", repairs.remade.size()}, {"largest_gap", repairs.largest_gap()}}},
-          {"tolerances_raised",
-           {{"edges", repairs.edges.size()},
-            {"vertices", repairs.vertices.size()},
-            {"largest", repairs.largest_tolerance()}}},
-          {"curves_added", added},
-          {"curves_missing", repairs.missing.size() - added},
-          {"faces_not_repaired", repairs.failed},
-          {"sewn",
-           {{"loose_faces", input.sewing.loose},
-            {"faces", input.sewing.sewn()},
-            {"solids", input.sewing.solids.size()},
-            {"largest_gap", input.sewing.gap},
-            {"within", input.sewing.within},
-            {"open_edges", input.sewing.open_edges},
-            {"open_at",
-             input.sewing.open_edges > 0 ? Json(input.sewing.open_at.coordinates) : Json()}}}};
+  return {
+      {"input", input.name},
+      {"curves_recomputed",
+       {{"count", repairs.remade.size()}, {"largest_gap", repairs.largest_gap()}}},
+      {"tolerances_raised",
+       {{"edges", repairs.edges.size()},
+        {"vertices", repairs.vertices.size()},
+        {"largest", repairs.largest_tolerance()}}},
+      {"curves_added", added},
+      {"curves_missing", repairs.missing.size() - added},
+      {"faces_not_repaired", repairs.failed},
+      {"sewn",
+       {{"loose_faces", input.sewing.loose},
+        {"faces", input.sewing.sewn()},
+        {"solids", input.sewing.solids.size()},
+        {"largest_gap", input.sewing.gap},
+        {"within", input.sewing.within},
+        {"open_edges", input.sewing.open_edges},
+        {"open_at", input.sewing.open_edges > 0 ? Json(input.sewing.open_at.coordinates) : Json()},
+        {"failed", input.sewing.failed.empty() ? Json() : Json(input.sewing.failed)}}}};
 }
 
 }  // namespace blossom::reports

@@ -8,29 +8,18 @@
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
-#include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS_Iterator.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/shapes.h"
 #include "tests/plugin/cli/program.h"
+#include "tests/support/endless_edges.h"
 
 namespace blossom::testing {
 namespace {
-
-// The same face with edges that have no ends.
-TopoDS_Shape without_vertices(const TopoDS_Shape& shape) {
-  const BRep_Builder builder;
-  TopoDS_Shape made = shape.EmptyCopied();
-  if (shape.ShapeType() == TopAbs_EDGE) return made;
-  for (TopoDS_Iterator it(shape, false); it.More(); it.Next())
-    builder.Add(made, without_vertices(it.Value()));
-  return made;
-}
 
 class LooseFaces : public ::testing::Test {
  protected:

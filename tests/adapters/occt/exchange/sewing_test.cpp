@@ -25,6 +25,7 @@
 #include "adapters/occt/face_colours.h"
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/shapes.h"
+#include "tests/support/endless_edges.h"
 #include "tests/support/measures.h"
 
 namespace blossom::occt {
@@ -146,6 +147,22 @@ TEST(Sewing, LeavesWhatDoesNotClose) {
   EXPECT_EQ(told.open_edges, 4);
   EXPECT_EQ(model.face_count(), 12);
   EXPECT_EQ(solids_in(model.shape()), 1);
+}
+
+TEST(Sewing, TellsWhatOpenCascadeFailsOnAndLeavesItLoose) {
+  std::vector<TopoDS_Shape> faces = loose(BRepPrimAPI_MakeBox(1, 2, 3).Shape());
+  faces.front() = testing::without_vertices(faces.front());
+  Model model;
+  model.add(compound_of(faces), "damaged");
+  model.add(compound_of(loose(plate())), "sound");
+  for (int i = 0; i < 2; ++i) {
+    const Sewing told = model.sew();
+    EXPECT_NE(told.failed.find("sewing loose faces: "), std::string::npos) << told.failed;
+    EXPECT_EQ(told.loose, 13);
+    EXPECT_EQ(told.solids, std::vector<int>{7});
+    EXPECT_EQ(told.open_edges, 0);
+    EXPECT_EQ(solids_in(model.shape()), 1);
+  }
 }
 
 TEST(Sewing, TellsThatFacesOfSolidsWhichTakeTurnsAreRenumbered) {
