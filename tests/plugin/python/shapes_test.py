@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import numpy as np
@@ -154,6 +155,23 @@ class FreeCADShapes(unittest.TestCase):
         model.intersect(Part.makeSphere(1))
         model.solid("cut", Part.makeSphere(1)).to_part()
         self.assertEqual(written(box), before)
+
+    def test_loose_faces_are_sewn_as_those_of_files(self):
+        box = [face.copy() for face in Part.makeBox(1, 2, 3).Faces]
+        for loose, volume in ((box, 6), (box[:5], None)):
+            shape = Part.makeCompound(loose)
+            before = written(shape)
+            with tempfile.TemporaryDirectory() as folder:
+                file = os.path.join(folder, "loose.brep")
+                shape.exportBrep(file)
+                for ask in (blossom.Model.mass, blossom.Model.check):
+                    ours, theirs = (ask(model).to_dict() for model in (blossom.shape(shape), blossom.read(file)))
+                    self.assertEqual(ours["repairs"][0]["sewn"], theirs["repairs"][0]["sewn"])
+                    self.assertEqual(ours["repairs"][0]["sewn"]["loose_faces"], len(loose))
+                found = blossom.shape(shape).mass().to_dict()["total"]
+                self.assertEqual(found and round(found["volume"], 9), volume)
+            self.assertEqual(len(blossom.shape(shape).section((0, 0, 1), (0, 0, 1))), 1)
+            self.assertEqual(written(shape), before)
 
     def test_a_null_shape_is_told(self):
         with self.assertRaisesRegex(ValueError, "^a: the shape is null$"):
