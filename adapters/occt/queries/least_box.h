@@ -19,8 +19,8 @@ struct LeastBox {
 /// The box of faces within their trims, of edges and vertices; tolerances do not count. Faces of
 /// straight lines go no farther than their edges, and straight edges no farther than their ends;
 /// arcs of circles and ellipses are in closed form. Of the rest, what has no control point beyond
-/// these is not looked at; sides that others may pass are searched in that coordinate alone, to 1e-7
-/// or to the tolerances of edges that faces may pass.
+/// these is not looked at; sides that others may pass are searched in that coordinate alone, to
+/// 1e-7 or to the tolerances of edges that faces may pass.
 ///
 /// shape       with at least a vertex
 /// cancelled   asked now and then; when true, the precision is what is known by then
