@@ -49,8 +49,9 @@ enum class Loose { Kept, Sewn };
 
 /// Reads the file and picks the faces. Files are read once as long as an input from them is there,
 /// so that edges which faces of two inputs share are known to be the same. What was sewn and what
-/// was repaired is told in a line each, and with -v where. throws   UsageError as parse_input, or
-/// if edges are named where faces are required;
+/// was repaired is told in a line each, and with -v where.
+///
+/// throws   UsageError as parse_input, or if edges are named where faces are required;
 ///          occt::BadModel if the file cannot be read, has no face though they are required, or
 ///          what is named does not exist
 Input read_input(const std::string& text, Faces need = Faces::Required,
