@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <BndLib_Add2dCurve.hxx>
+#include <Bnd_Box2d.hxx>
 #include <Geom2dConvert.hxx>
 #include <Geom2dConvert_ApproxCurve.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -104,11 +106,30 @@ PlanarCurve approximated(const Handle(Geom2d_Curve) & curve, const Interval& ran
 
 }  // namespace
 
+bool is_periodic_spline(const Handle(Geom2d_Curve) & curve) {
+  const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(basis_of(curve));
+  return !spline.IsNull() && spline->IsPeriodic();
+}
+
+std::array<Interval, 2> bounds_of(const Handle(Geom2d_Curve) & curve, const Interval& range) {
+  Bnd_Box2d box;
+  if (is_periodic_spline(curve)) {  // of which Open CASCADE measures the first period alone
+    const auto part = Handle(Geom2d_BSplineCurve)::DownCast(basis_of(curve)->Copy());
+    part->Segment(range.from, std::min(range.to, range.from + part->Period()));
+    BndLib_Add2dCurve::Add(part, 0, box);
+  } else {
+    BndLib_Add2dCurve::Add(curve, range.from, range.to, 0, box);
+  }
+  std::array<Interval, 2> bounds;
+  box.Get(bounds[0].from, bounds[1].from, bounds[0].to, bounds[1].to);
+  return bounds;
+}
+
 PlanarCurve planar_curve(const Handle(Geom2d_Curve) & curve, const Interval& range) {
   if (!std::isfinite(range.from) || !std::isfinite(range.to) || !(range.from < range.to))
     throw BadModel("an edge has an empty or infinite parameter range");
-  if (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve); !trimmed.IsNull())
-    return planar_curve(trimmed->BasisCurve(), range);
+  if (curve->IsKind(STANDARD_TYPE(Geom2d_TrimmedCurve)))
+    return planar_curve(basis_of(curve), range);
   if (const auto line = Handle(Geom2d_Line)::DownCast(curve); !line.IsNull())
     return planar_line(vec(line->Value(range.from)), vec(line->Value(range.to)), range);
   if (const auto circle = Handle(Geom2d_Circle)::DownCast(curve); !circle.IsNull()) {

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <array>
+
 #include <Geom2d_Curve.hxx>
 
 #include "core/forms/spline.h"
@@ -15,6 +17,12 @@ namespace blossom::occt {
 /// circles, ellipses and B-splines exactly, others within 1e-9 of the size of the piece.
 /// throws   BadModel if the range is not finite or empty, or the curve cannot be converted
 PlanarCurve planar_curve(const Handle(Geom2d_Curve) & curve, const Interval& range);
+
+/// Whether a curve, or what it is a part of, is a periodic B-spline.
+bool is_periodic_spline(const Handle(Geom2d_Curve) & curve);
+
+/// The box of a curve over a finite range, in u and in v; of splines it may be a little wider.
+std::array<Interval, 2> bounds_of(const Handle(Geom2d_Curve) & curve, const Interval& range);
 
 /// The spline with the same parameter, an even line as a line.
 /// throws   Failure if Open CASCADE refuses the knots or the number of points

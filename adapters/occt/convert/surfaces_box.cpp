@@ -7,12 +7,15 @@
 
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/convert/surfaces_detail.h"
 
 namespace blossom::occt {
@@ -73,6 +76,19 @@ Interval fitted(Interval range, const Direction& direction) {
   return range;
 }
 
+// Open CASCADE leaves out what of a periodic spline lies beyond its first period.
+void add_periodic_splines(const TopoDS_Face& face, ParameterBox& box) {
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    Interval range;
+    const Handle(Geom2d_Curve) curve =
+        BRep_Tool::CurveOnSurface(TopoDS::Edge(it.Current()), face, range.from, range.to);
+    if (!is_periodic_spline(curve)) continue;
+    const auto [u, v] = bounds_of(curve, range);
+    box.u = {std::min(box.u.from, u.from), std::max(box.u.to, u.to)};
+    box.v = {std::min(box.v.from, v.from), std::max(box.v.to, v.to)};
+  }
+}
+
 }  // namespace
 
 ParameterBox parameter_box(const TopoDS_Face& face) {
@@ -81,8 +97,10 @@ ParameterBox parameter_box(const TopoDS_Face& face) {
     ParameterBox box;
     // Where the face is placed does not matter, but chains of placements take most of the time.
     const TopoDS_Face unplaced = TopoDS::Face(face.Located(TopLoc_Location()));
-    if (!BRep_Tool::Surface(unplaced).IsNull())
+    if (!BRep_Tool::Surface(unplaced).IsNull()) {
       BRepTools::UVBounds(unplaced, box.u.from, box.u.to, box.v.from, box.v.to);
+      add_periodic_splines(unplaced, box);
+    }
     return parameter_box(face, box);
   });
 }

@@ -12,8 +12,6 @@
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <BndLib_Add2dCurve.hxx>
-#include <Bnd_Box2d.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_Surface.hxx>
@@ -26,6 +24,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 
+#include "adapters/occt/convert/pcurves.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
 
@@ -127,11 +126,8 @@ Interval extent_of(const TopoDS_Edge& edge, const PolarFace& polar) {
   double first = 0, last = 0;
   const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, polar.face, first, last);
   if (curve.IsNull()) return {-HUGE_VAL, HUGE_VAL};
-  Bnd_Box2d box;
-  BndLib_Add2dCurve::Add(curve, first, last, 0, box);
-  double u0 = 0, v0 = 0, u1 = 0, v1 = 0;
-  box.Get(u0, v0, u1, v1);
-  return polar.around == 0 ? Interval{u0, u1} : Interval{v0, v1};
+  const auto box = bounds_of(curve, {first, last});
+  return box[polar.around == 0 ? 0 : 1];
 }
 
 /// The middle of the widest stretch between the seam's sides that no edge covers.

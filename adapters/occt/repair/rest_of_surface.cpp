@@ -11,8 +11,6 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <BndLib_Add2dCurve.hxx>
-#include <Bnd_Box2d.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -79,12 +77,14 @@ Vec2 way_along(const Border& border) {
 
 /// The box of a border in the parameters.
 std::array<Interval, 2> extents_of(const Border& border) {
-  Bnd_Box2d box;
-  for (const BorderEdge& each : border)
-    BndLib_Add2dCurve::Add(each.curve, each.first, each.last, 0, box);
-  double u0 = 0, v0 = 0, u1 = 0, v1 = 0;
-  box.Get(u0, v0, u1, v1);
-  return {Interval{u0, u1}, Interval{v0, v1}};
+  constexpr Interval kNothing{HUGE_VAL, -HUGE_VAL};
+  std::array all{kNothing, kNothing};
+  for (const BorderEdge& each : border) {
+    const auto of_edge = bounds_of(each.curve, {each.first, each.last});
+    for (const std::size_t k : {0, 1})
+      all[k] = {std::min(all[k].from, of_edge[k].from), std::max(all[k].to, of_edge[k].to)};
+  }
+  return all;
 }
 
 /// One parameter of the surface.

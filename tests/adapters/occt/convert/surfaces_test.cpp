@@ -7,15 +7,24 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <GeomAPI.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <gp.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 
@@ -305,6 +314,25 @@ TEST(ParameterBox, TakesWholeTurnsWhole) {
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(cylinder, 0.5, end, 0.0, 1.0, 1e-12);
   EXPECT_EQ(parameter_box(face).u, (Interval{0.5, 0.5 + 2 * kPi}));
   EXPECT_TRUE(bezier_surface(face).closed_u);
+}
+
+// As where a disc is turned into splines whose edge began half a turn before.
+TEST(ParameterBox, HoldsAPeriodicSplineFromAnyOfItsPeriods) {
+  const auto circle = GeomConvert::CurveToBSplineCurve(new Geom_Circle(gp::XOY(), 2));
+  ASSERT_TRUE(circle->IsPeriodic());
+  for (const double from : {-kPi, -1.0, 0.0, 2.0, 7.0}) {
+    const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(circle, from, from + 2 * kPi);
+    const TopoDS_Face face =
+        BRepBuilderAPI_MakeFace(gp_Pln(), BRepBuilderAPI_MakeWire(edge).Wire()).Face();
+    const Handle(Geom2d_Curve) image =
+        new Geom2d_TrimmedCurve(GeomAPI::To2d(circle, gp_Pln()), from, from + 2 * kPi);
+    BRep_Builder().UpdateEdge(edge, image, face, 1e-7);
+    const ParameterBox box = parameter_box(face);
+    for (const Interval& side : {box.u, box.v}) {
+      EXPECT_LE(side.from, -2 + 1e-12) << from;
+      EXPECT_GE(side.to, 2 - 1e-12) << from;
+    }
+  }
 }
 
 TEST(ParameterBox, RefusesFacesWithoutASurface) {
