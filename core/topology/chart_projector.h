@@ -54,6 +54,10 @@ class ChartProjector {
   /// throws   LimitReached
   Vec2 foot(const Vec3& point, const std::optional<Vec2>& near) const;
 
+  /// From a parameter of a point to the next one that it has in u or in v: the period, or where the
+  /// surface closes without one all its range; 0 where it does not.
+  Vec2 turns() const { return surface_.period + surface_.closed; }
+
   /// The distance of a point from that at some parameters.
   double gap(const Vec3& point, const Vec2& uv) const;
 

@@ -386,13 +386,12 @@ ChartImage image_of(const Handle(Geom_Curve) & curve, const Interval& range,
   if (near) {
     const gp_Pnt2d middle = chart->Value(at(range, 0.5));
     const Vec2 wanted = feet.foot(vec(curve->Value(at(range, 0.5))), near);
-    const Handle(Geom_Surface)& surface = feet.surface();
-    gp_Vec2d move(0, 0);
-    if (surface->IsUPeriodic())
-      move.SetX(surface->UPeriod() * std::round((wanted[0] - middle.X()) / surface->UPeriod()));
-    if (surface->IsVPeriodic())
-      move.SetY(surface->VPeriod() * std::round((wanted[1] - middle.Y()) / surface->VPeriod()));
-    chart = Handle(Geom2d_Curve)::DownCast(chart->Translated(move));
+    const Vec2 turns = feet.turns();
+    const auto move = [&](int k, double from) {
+      return turns[k] > 0 ? turns[k] * std::round((wanted[k] - from) / turns[k]) : 0;
+    };
+    chart = Handle(Geom2d_Curve)::DownCast(
+        chart->Translated(gp_Vec2d(move(0, middle.X()), move(1, middle.Y()))));
   }
   return {chart, deviation(curve, chart, range, feet)};
 }

@@ -99,7 +99,7 @@ struct ChartImage {
 };
 
 /// Exact where Open CASCADE knows a line, a conic or a spline that is the image, else fitted.
-/// near      parameters of the middle, as far as periods leave a choice
+/// near      parameters of the middle, as far as periods and seams leave a choice
 /// throws    Failure if the curve is not on the surface within the tolerance, or goes through a
 /// pole
 ChartImage image_of(const Handle(Geom_Curve) & curve, const Interval& range,

@@ -8,8 +8,10 @@
 #include <numbers>
 #include <string>
 
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -140,6 +142,18 @@ TEST(SolidSeams, MayMeetWhereFacesTouch) {
   };
   EXPECT_NEAR(common_volume(ring(gp_Dir(0, -1, 0)), block),
               common_volume(ring(gp_Dir(0.3, -1, 0)), block), 1e-7);
+}
+
+// As splines a ring is closed but has no period, and the cone's edge lies along its seam: as what
+// ends a piece on one side of it, and as what begins one on the other.
+TEST(SolidSeams, MayLieAlongAnEdgeOfTheOtherSolid) {
+  using std::numbers::pi;
+  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(3, 1, -pi, pi).Shape();
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(2, 4, 3, pi).Shape();
+  const TopoDS_Shape splines = BRepBuilderAPI_NurbsConvert(ring, true).Shape();
+  const double common = common_volume(cone, ring);
+  EXPECT_NEAR(common_volume(cone, splines), common, 1e-6);
+  EXPECT_NEAR(common_volume(splines, cone), common, 1e-6);
 }
 
 // Curves of their intersection cross where each half of a ring ends, in corners of patches and on
