@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/intersection_edges.h"
 
-#include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
-#include <BRep_Builder.hxx>
+#include <algorithm>
+#include <cstddef>
+
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/splitting/edges/joined_curves.h"
+#include "core/results/contact_places.h"
 
 namespace blossom::occt {
 
@@ -21,31 +27,46 @@ std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
   return faces;
 }
 
-TopoDS_Edge edge_of(const EdgeCurves& curves) {
-  return guarded("making an edge of an intersection curve", [&] {
-    BRepBuilderAPI_MakeEdge maker(curves.curve);
-    if (!maker.IsDone()) throw Failure("an intersection curve gives no edge");
-    TopoDS_Edge edge = maker.Edge();
-    const BRep_Builder builder;
-    builder.UpdateEdge(edge, curves.tolerance);
-    for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
-      builder.UpdateVertex(end, curves.tolerance);
-    return edge;
-  });
+namespace {
+
+// The largest tolerance that edges and vertices of a face state.
+double stated_by(const TopoDS_Face& face) {
+  double largest = 0;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+  for (TopExp_Explorer it(face, TopAbs_VERTEX); it.More(); it.Next())
+    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
+  return largest;
 }
 
-TopoDS_Compound compound_of(const ShapeIntersection& found) {
-  const BRep_Builder builder;
-  TopoDS_Compound compound;
-  builder.MakeCompound(compound);
+FoundCurve found_curve(const EdgeCurves& edge, const SurfaceIntersection& found, std::size_t i,
+                       double stated) {
+  const Interval range{edge.curve->FirstParameter(), edge.curve->LastParameter()};
+  FoundCurve curve{
+      {basis_of(edge.curve), range}, found.curves[i].closed, edge.tolerance, {}, stated};
+  for (const std::size_t side : {0, 1})
+    curve.reach[side] =
+        contact_reach(found, vec(edge.curve->Value(side == 0 ? range.from : range.to)));
+  return curve;
+}
+
+}  // namespace
+
+TopoDS_Compound compound_of(const ShapeIntersection& found, const std::vector<TopoDS_Face>& a,
+                            const std::vector<TopoDS_Face>& b) {
+  std::vector<FoundCurve> curves;
+  std::vector<FoundPoint> points;
   for (const FaceIntersection& pair : found.pairs) {
-    for (const EdgeCurves& curves : pair.edges) builder.Add(compound, edge_of(curves));
+    const double stated = std::max(stated_by(a[static_cast<std::size_t>(pair.face_a)]),
+                                   stated_by(b[static_cast<std::size_t>(pair.face_b)]));
+    for (std::size_t i = 0; i < pair.edges.size(); ++i)
+      curves.push_back(found_curve(pair.edges[i], pair.found, i, stated));
     for (const SurfacePoint& contact : pair.found.points) {
-      const Vec3& p = contact.point;
-      builder.Add(compound, BRepBuilderAPI_MakeVertex(gp_Pnt(p[0], p[1], p[2])).Vertex());
+      const double reach = contact_reach(pair.found, contact.point);
+      points.push_back({contact.point, std::max(Precision::Confusion(), reach)});
     }
   }
-  return compound;
+  return guarded("joining intersection curves", [&] { return joined_curves(curves, points); });
 }
 
 }  // namespace blossom::occt

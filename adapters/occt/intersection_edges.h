@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// From shapes to the lists of faces that intersect() takes, and from its answer to edges.
+// From shapes to the lists of faces that intersect() takes, and from its answer to a shape.
 
 #pragma once
 
 #include <vector>
 
 #include <TopoDS_Compound.hxx>
-#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -17,12 +16,11 @@ namespace blossom::occt {
 /// The faces of a shape in the order of TopExp::MapShapes: face number k is at place k - 1.
 std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape);
 
-/// The edge on the 3D curve, with the tolerance of the curves; a closed one has one vertex.
-/// throws   Failure if Open CASCADE makes no edge
-TopoDS_Edge edge_of(const EdgeCurves& curves);
-
-/// The edges of all curves and vertices at all isolated contacts, in the order of the answer.
-/// throws   Failure as edge_of
-TopoDS_Compound compound_of(const ShapeIntersection& found);
+/// What two shapes have in common as wires of edges with common vertices, each stretch once, and
+/// vertices at isolated contacts, as `joined_curves` has them.
+/// a, b     the lists that were intersected; one list twice for `self_intersect`
+/// throws   Failure if Open CASCADE refuses one
+TopoDS_Compound compound_of(const ShapeIntersection& found, const std::vector<TopoDS_Face>& a,
+                            const std::vector<TopoDS_Face>& b);
 
 }  // namespace blossom::occt

@@ -16,27 +16,13 @@
 #include "adapters/occt/queries/section_sides.h"
 #include "adapters/occt/queries/section_wires.h"
 #include "core/base/parallel.h"
+#include "core/results/contact_places.h"
 #include "core/surface_intersection.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr double kFar = 1e-2;  // of a curve's length: where it ends off all edges, the nearest node
-
-// How far from a point of an intersection that may be which it stands for: as far as the place of a
-// contact goes that holds it.
-double reach_of(const Vec3& point, const SurfaceIntersection& found) {
-  constexpr std::array kContacts{PlaceKind::Touch, PlaceKind::Node, PlaceKind::Cusp,
-                                 PlaceKind::Pole};
-  double reach = 0;
-  for (const Place& place : found.places) {
-    const Box box{place.box_low, place.box_high};
-    if (std::ranges::find(kContacts, place.kind) == kContacts.end() || !meet(box, {point, point}))
-      continue;
-    for (const Vec3& corner : {box.low, box.high}) reach = std::max(reach, distance(corner, point));
-  }
-  return reach;
-}
 
 class FaceSections {
  public:
@@ -116,7 +102,7 @@ class FaceSections {
     // First where curves end that end on no edge.
     for (const auto* contacts : {&found.points, &found.nodes})
       for (const SurfacePoint& contact : *contacts)
-        nodes.contact_node(i, contact.point, reach_of(contact.point, found));
+        nodes.contact_node(i, contact.point, contact_reach(found, contact.point));
     for (const Place& place : found.places) section_.places.push_back({static_cast<int>(i), place});
     for (const IntersectionCurve& curve : found.curves)
       for (const IntersectionCurve& part : curve_parts(curve, nodes.beside_edges(i, curve)))
@@ -144,7 +130,7 @@ class FaceSections {
     if (!found.closed)
       for (const std::size_t side : {0, 1}) {
         const Vec3& end = side == 0 ? curve.samples.front() : curve.samples.back();
-        const double reach = std::max(curve.tolerance, reach_of(end, of_face));
+        const double reach = std::max(curve.tolerance, contact_reach(of_face, end));
         curve.nodes[side] = nodes.end_node(face, end, reach, far);
       }
     section_.curves.push_back(std::move(curve));

@@ -20,4 +20,17 @@ Place place_of(const std::vector<SurfacePoint>& points, PlaceKind kind, double g
   return place;
 }
 
+double contact_reach(const SurfaceIntersection& found, const Vec3& point) {
+  constexpr std::array kContacts{PlaceKind::Touch, PlaceKind::Node, PlaceKind::Cusp,
+                                 PlaceKind::Pole};
+  double reach = 0;
+  for (const Place& place : found.places) {
+    const Box box{place.box_low, place.box_high};
+    if (std::ranges::find(kContacts, place.kind) == kContacts.end() || !meet(box, {point, point}))
+      continue;
+    for (const Vec3& corner : {box.low, box.high}) reach = std::max(reach, distance(corner, point));
+  }
+  return reach;
+}
+
 }  // namespace blossom

@@ -14,4 +14,8 @@ namespace blossom {
 /// margin   by which it is wider than the points, model units
 Place place_of(const std::vector<SurfacePoint>& points, PlaceKind kind, double gap, double margin);
 
+/// How far from a point of an intersection that may be which it stands for: as far as the place of
+/// a contact goes that holds it; model units.
+double contact_reach(const SurfaceIntersection& found, const Vec3& point);
+
 }  // namespace blossom

@@ -144,8 +144,10 @@ Answer answer_of(SharedFound found) {
               },
           .model =
               [found] {
-                return std::make_shared<LoadedModel>("intersection",
-                                                     occt::compound_of(found->intersection));
+                return std::make_shared<LoadedModel>(
+                    "intersection",
+                    occt::compound_of(found->intersection, found->a->input().faces,
+                                      (found->itself ? found->a : found->b)->input().faces));
               },
           .records =
               [found] {

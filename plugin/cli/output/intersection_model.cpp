@@ -14,6 +14,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/curves.h"
+#include "adapters/occt/intersection_edges.h"
 
 namespace blossom::cli {
 namespace {
@@ -84,8 +85,15 @@ std::string face_name(const Input& input, int index) {
 
 }  // namespace
 
-occt::Model intersection_model(const Input& a, const Input& b,
-                               const occt::ShapeIntersection& found) {
+occt::Model joined_model(const Input& a, const Input& b, const occt::ShapeIntersection& found) {
+  occt::Model model;
+  model.add(occt::compound_of(found, a.faces, b.faces),
+            a.model.file().filename().string() + " x " + b.model.file().filename().string(),
+            kEdgeColour);
+  return model;
+}
+
+occt::Model paired_model(const Input& a, const Input& b, const occt::ShapeIntersection& found) {
   return occt::guarded("building edges", [&] {
     occt::Model model;
     for (const occt::FaceIntersection& pair : found.pairs) {

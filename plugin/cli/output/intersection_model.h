@@ -14,7 +14,12 @@ namespace blossom::cli {
 /// of each of the two surfaces; edges that end in one point share the vertex.
 ///
 /// throws   occt::Failure if Open CASCADE refuses a curve
-occt::Model intersection_model(const Input& a, const Input& b,
-                               const occt::ShapeIntersection& found);
+occt::Model paired_model(const Input& a, const Input& b, const occt::ShapeIntersection& found);
+
+/// One part: wires in which each stretch is once, whatever the number of faces that have it in
+/// common, and lone contacts as vertices.
+///
+/// throws   likewise
+occt::Model joined_model(const Input& a, const Input& b, const occt::ShapeIntersection& found);
 
 }  // namespace blossom::cli

@@ -37,12 +37,12 @@ std::string intersect_named(const Words& words) {
   // The result may take the name of a or b: both are fetched before it is set.
   const TopoDS_Shape a = shape_named(words[1]), b = shape_named(words[2]);
 
-  const occt::ShapeIntersection found =
-      occt::intersect(faces_in(a, words[1]), faces_in(b, words[2]), options);
+  const std::vector<TopoDS_Face> of_a = faces_in(a, words[1]), of_b = faces_in(b, words[2]);
+  const occt::ShapeIntersection found = occt::intersect(of_a, of_b, options);
 
   std::size_t curves = 0;  // one across seams counts once
   for (const occt::FaceIntersection& pair : found.pairs) curves += pair.chains.size();
-  DBRep::Set(words[0].c_str(), occt::compound_of(found));
+  DBRep::Set(words[0].c_str(), occt::compound_of(found, of_a, of_b));
   return std::to_string(curves) + " " + to_string(found.status) +
          contacts_list(found, occt::BorderNumbers(a), occt::BorderNumbers(b));
 }
@@ -51,8 +51,8 @@ std::string intersect_named(const Words& words) {
 
 const Command kBlintersect{
     "blintersect", "result shapeA shapeB [tolerance]",
-    "\n\t\t: all intersections of the faces of two shapes, as a compound of edges"
-    "\n\t\t: (and vertices at isolated contacts). The answer is the number of"
+    "\n\t\t: all intersections of the faces of two shapes, as a compound of wires,"
+    "\n\t\t: each stretch once, and of vertices at isolated contacts. The answer is the number of"
     "\n\t\t: curves, one across seams counted once, and complete, tolerance or"
     "\n\t\t: stopped; then for each isolated contact where it is and what of A and"
     "\n\t\t: B it is on: {{x y z} {edge 3} {face 1}}.",

@@ -11,6 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include <BRepAdaptor_Curve.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+
+#include "adapters/occt/intersection_edges.h"
 #include "plugin/reports/models/repairs.h"
 #include "plugin/reports/models/shape_numbers.h"
 
@@ -142,6 +148,12 @@ void add_findings(const Input& a, const Input& b, const occt::ShapeIntersection&
     for (const Place& place : pair.found.places)
       report["places"].push_back(with_faces(faces, to_json(place)));
   }
+  const WireFacts joined = facts_of(occt::compound_of(found, a.faces, b.faces));
+  report["joined"] = {{"wires", joined.wires},
+                      {"closed", joined.closed},
+                      {"edges", joined.edges},
+                      {"points", joined.points},
+                      {"length", joined.length}};
   report["certificate"] = to_json(found.certificate);
   report["certificate"]["face_pairs"] = found.face_pairs;
 }
@@ -177,6 +189,23 @@ ChainFacts facts_of(const std::vector<IntersectionCurve>& curves, const CurveCha
     facts.deviation.b = std::max(facts.deviation.b, curve.deviation.b);
     facts.deviation.between = std::max(facts.deviation.between, curve.deviation.between);
     facts.deviation.proven = facts.deviation.proven && curve.deviation.proven;
+  }
+  return facts;
+}
+
+WireFacts facts_of(const TopoDS_Compound& wires) {
+  WireFacts facts;
+  for (TopoDS_Iterator it(wires); it.More(); it.Next()) {
+    if (it.Value().ShapeType() == TopAbs_VERTEX) {
+      ++facts.points;
+      continue;
+    }
+    ++facts.wires;
+    if (it.Value().Closed()) ++facts.closed;
+    for (TopoDS_Iterator edge(it.Value()); edge.More(); edge.Next()) {
+      ++facts.edges;
+      facts.length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(edge.Value())));
+    }
   }
   return facts;
 }

@@ -8,6 +8,8 @@
 
 #include <optional>
 
+#include <TopoDS_Compound.hxx>
+
 #include "adapters/occt/intersection.h"
 #include "plugin/reports/models/input.h"
 #include "plugin/reports/text/json.h"
@@ -30,6 +32,16 @@ struct ChainFacts {
   Deviation deviation;
 };
 ChainFacts facts_of(const std::vector<IntersectionCurve>& curves, const CurveChain& chain);
+
+/// What wires and lone vertices of a compound come to.
+struct WireFacts {
+  std::size_t wires = 0;
+  std::size_t closed = 0;  ///< of the wires
+  std::size_t edges = 0;
+  std::size_t points = 0;  ///< vertices on no edge
+  double length = 0;       ///< of all edges, model units
+};
+WireFacts facts_of(const TopoDS_Compound& wires);
 
 /// Whether surfaces keep within tolerance of each other in a place; an overlap has an area besides.
 bool is_contact(const Place& place);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -100,7 +101,7 @@ std::vector<Handle(Geom_Curve)> curves_of(const TopoDS_Face& a, const TopoDS_Fac
       EXPECT_LE(gap, 3e-8);  // a fit's share of the tolerance
       EXPECT_EQ(edge.curve->FirstParameter(), edge.pcurve_a->FirstParameter());
       EXPECT_EQ(edge.curve->LastParameter(), edge.pcurve_b->LastParameter());
-      EXPECT_TRUE(BRepCheck_Analyzer(edge_of(edge)).IsValid());
+      EXPECT_TRUE(BRepCheck_Analyzer(BRepBuilderAPI_MakeEdge(edge.curve).Edge()).IsValid());
       curves.push_back(edge.curve);
     }
   return curves;

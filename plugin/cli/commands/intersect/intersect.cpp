@@ -43,7 +43,7 @@ int run(const IntersectCommand& options) {
   const TimedIntersection result = timed_intersection(
       options.intersect,
       [&](const IntersectionOptions& engine) { return intersect_named(a, b, engine); });
-  return write_outputs(a, b, a.name + " x " + b.name, result, options.intersect.common);
+  return write_outputs(a, b, a.name + " x " + b.name, result, options.intersect);
 }
 
 }  // namespace

@@ -36,6 +36,9 @@ void add_intersect_options(CLI::App& command, IntersectOptions& options) {
       ->check(whole_number(1, 1'000'000))
       ->type_name("N")
       ->capture_default_str();
+  command.add_flag("--joined", options.joined,
+                   "write one part of wires, each stretch once, instead of a part for each pair "
+                   "of faces");
 }
 
 namespace {
@@ -77,12 +80,14 @@ TimedIntersection timed_intersection(
 }
 
 int write_outputs(const Input& a, const Input& b, const std::string& title,
-                  const TimedIntersection& result, const CommonOptions& options) {
+                  const TimedIntersection& result, const IntersectOptions& given) {
+  const CommonOptions& options = given.common;
   // All that may fail or be interrupted comes before the first file is written.
   const IntersectionCounts counts = counts_of(a, result.found);
   std::optional<occt::Model> model;
   const bool unwritten = !options.output.empty() && !counts.has_shape();
-  if (!options.output.empty() && !unwritten) model = intersection_model(a, b, result.found);
+  if (!options.output.empty() && !unwritten)
+    model = given.joined ? joined_model(a, b, result.found) : paired_model(a, b, result.found);
   const std::vector<PictureFile> pictures =
       picture_files(options, [&] { return intersection_picture(a, b, result.found); });
   stop_if_interrupted();

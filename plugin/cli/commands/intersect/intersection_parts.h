@@ -15,6 +15,7 @@ namespace blossom::cli {
 
 struct IntersectOptions {
   int repeat = 1;
+  bool joined = false;  ///< --joined
   CommonOptions common;
   EngineOptions engine;
 };
@@ -37,6 +38,6 @@ TimedIntersection timed_intersection(
 /// a, b      one object for an input with itself
 /// title     of the summary
 int write_outputs(const Input& a, const Input& b, const std::string& title,
-                  const TimedIntersection& result, const CommonOptions& options);
+                  const TimedIntersection& result, const IntersectOptions& options);
 
 }  // namespace blossom::cli

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adapters/occt/faces/area.h"
+#include "adapters/occt/intersection_edges.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/arguments/vectors.h"
 #include "plugin/cli/output/output.h"
@@ -197,6 +198,16 @@ std::string place_text(const Place& place, const std::vector<Vec3>& points) {
          short_number(distance(place.box_low, place.box_high)) + " across, " + gap_text(place);
 }
 
+// What the curves of all pairs come to.
+std::string joined_text(const reports::WireFacts& joined) {
+  std::ostringstream text;
+  text << "  joined: " << counted(joined.wires, "wire") << " (" << joined.closed << " closed), "
+       << counted(joined.edges, "edge");
+  if (joined.points > 0) text << ", " << counted(joined.points, "point");
+  text << ", length " << short_number(joined.length) << "\n";
+  return text.str();
+}
+
 std::string intersection_text(const Input& a, const Input& b, const std::string& title,
                               const IntersectionCounts& counts,
                               const occt::ShapeIntersection& found,
@@ -206,6 +217,8 @@ std::string intersection_text(const Input& a, const Input& b, const std::string&
   if (&a == &b) text << reports::verdict_of(found) << ", ";
   text << to_string(stated(found.status)) << ", " << counts_text(counts) << ", "
        << seconds_text(times.seconds) << "\n";
+  if (counts.curves > 1)
+    text << joined_text(reports::facts_of(occt::compound_of(found, a.faces, b.faces)));
   const PairNames names(a, b);
   for (const occt::FaceIntersection& pair : found.pairs) list_findings(a, names, pair, text);
   list_places(names, found, text);

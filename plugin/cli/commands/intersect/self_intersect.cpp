@@ -53,7 +53,7 @@ int run(const SelfIntersectCommand& options) {
       timed_intersection(options.intersect, [&](const IntersectionOptions& engine) {
         return occt::self_intersect(input.faces, scope, engine);
       });
-  return write_outputs(input, input, input.name + " with itself", result, options.intersect.common);
+  return write_outputs(input, input, input.name + " with itself", result, options.intersect);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ class Intersection(Feature):
         Fact("Curves", "count", "How many curves there are"),
         Fact("Points", "count", "How many points there are in which faces only touch"),
         Fact("Overlaps", "count", "How many common areas there are"),
-        Fact("Length", "length", "Of all curves, mm"),
+        Fact("Length", "length", "Of all edges, each stretch once, mm"),
         Fact("Deviation", "length", "How far curves are from both faces at most, mm"),
         Fact("Reasons", "words", "What could not be decided"),
     )
@@ -42,7 +42,7 @@ class Intersection(Feature):
             "Curves": len(curves),
             "Points": len(report["points"]),
             "Overlaps": len(report["overlaps"]),
-            "Length": sum(curve["length"] for curve in curves),
+            "Length": report["joined"]["length"],
             "Deviation": max(deviations, default=0.0),
             "Reasons": report["certificate"]["reasons"],
         }

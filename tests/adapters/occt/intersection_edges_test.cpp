@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What two shapes have in common, as one shape.
+#include "adapters/occt/intersection_edges.h"
+
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <gp_Ax2.hxx>
+
+#include "adapters/occt/intersection.h"
+
+namespace blossom::occt {
+namespace {
+
+using std::numbers::pi;
+
+struct Parts {
+  int wires = 0, closed = 0, edges = 0, vertices = 0, lone = 0;
+  double length = 0;
+};
+
+Parts parts_of(const TopoDS_Shape& all) {
+  EXPECT_TRUE(BRepCheck_Analyzer(all).IsValid());
+  Parts parts;
+  TopTools_IndexedMapOfShape edges, vertices;
+  TopExp::MapShapes(all, TopAbs_EDGE, edges);
+  TopExp::MapShapes(all, TopAbs_VERTEX, vertices);
+  parts.edges = edges.Extent();
+  parts.vertices = vertices.Extent();
+  for (int i = 1; i <= edges.Extent(); ++i)
+    parts.length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(edges(i))));
+  for (TopoDS_Iterator it(all); it.More(); it.Next()) {
+    const bool is_wire = it.Value().ShapeType() == TopAbs_WIRE;
+    (is_wire ? parts.wires : parts.lone) += 1;
+    if (is_wire && it.Value().Closed()) ++parts.closed;
+  }
+  return parts;
+}
+
+Parts common_of(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+  const std::vector<TopoDS_Face> of_a = faces_of(a), of_b = faces_of(b);
+  return parts_of(compound_of(intersect(of_a, of_b), of_a, of_b));
+}
+
+TopoDS_Shape box(const gp_Pnt& low, const gp_Pnt& high) { return BRepPrimAPI_MakeBox(low, high); }
+
+TEST(JoinedIntersection, OfABarThroughABlockIsTwoClosedWires) {
+  const Parts parts = common_of(box({0, 0, 0}, {4, 4, 4}), box({-1, 1, 1}, {5, 2, 3}));
+  EXPECT_EQ(parts.wires, 2);
+  EXPECT_EQ(parts.closed, 2);
+  EXPECT_EQ(parts.edges, 8);
+  EXPECT_EQ(parts.vertices, 8);
+  EXPECT_NEAR(parts.length, 12, 1e-12);
+}
+
+// Both faces of either edge meet both of the other in it, and others in its ends.
+TEST(JoinedIntersection, HasACommonEdgeOnce) {
+  const Parts parts = common_of(box({0, 0, 0}, {4, 1, 1}), box({1, 1, 1}, {3, 2, 2}));
+  EXPECT_EQ(parts.wires, 1);
+  EXPECT_EQ(parts.closed, 0);
+  EXPECT_EQ(parts.edges, 1);
+  EXPECT_EQ(parts.vertices, 2);
+  EXPECT_NEAR(parts.length, 2, 1e-12);
+}
+
+// The side and the bottom of the cylinder meet the plate in the same circle.
+TEST(JoinedIntersection, HasAClosedEdgeOnce) {
+  const TopoDS_Shape plate = box({-3, -3, -1}, {3, 3, 0});
+  const Parts parts = common_of(plate, BRepPrimAPI_MakeCylinder(1, 2).Shape());
+  EXPECT_EQ(parts.wires, 1);
+  EXPECT_EQ(parts.closed, 1);
+  EXPECT_EQ(parts.edges, 1);
+  EXPECT_NEAR(parts.length, 2 * pi, 1e-9);
+}
+
+// The bar is as high as the block: three wires lead from one of two corners to the other.
+TEST(JoinedIntersection, IsDividedWhereAThirdCurveEnds) {
+  const Parts parts = common_of(box({0, 0, 0}, {4, 4, 4}), box({1, -1, 3}, {2, 2, 4}));
+  EXPECT_EQ(parts.wires, 3);
+  EXPECT_EQ(parts.edges, 7);
+  EXPECT_EQ(parts.vertices, 6);
+  EXPECT_NEAR(parts.length, 9, 1e-12);
+}
+
+TEST(JoinedIntersection, HasAContactOnceWhereNoEdgePasses) {
+  const Parts parts = common_of(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}));
+  EXPECT_EQ(parts.edges, 0);
+  EXPECT_EQ(parts.lone, 1);
+  const Parts ball =
+      common_of(box({-3, -3, -1}, {3, 3, 0}), BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 1), 1).Shape());
+  EXPECT_EQ(ball.edges, 0);
+  EXPECT_EQ(ball.lone, 1);
+}
+
+// A cone's circle at its foot is an edge of both: it is found with its side and its bottom, begins
+// in another place than the cylinder's, and is one edge.
+TEST(JoinedIntersection, OfCirclesThatBeginElsewhereIsOne) {
+  const TopoDS_Shape cone =
+      BRepPrimAPI_MakeCone(gp_Ax2({0, 0, 2}, gp::DZ(), gp_Dir(0.6, 0.8, 0)), 1, 0.2, 1).Shape();
+  const Parts parts = common_of(BRepPrimAPI_MakeCylinder(1, 2).Shape(), cone);
+  EXPECT_EQ(parts.closed, 1);
+  EXPECT_NEAR(parts.length, 2 * pi, 1e-9);
+}
+
+// Neighbours of which one states that its edges are off, as after a translation.
+TEST(JoinedIntersection, JoinsWhatIsApartByWhatFacesState) {
+  const double off = 1e-4;
+  const TopoDS_Shape low = box({0, 0, 0}, {4, 4, 2}), high = box({0, off, 2}, {4, 4, 4});
+  BRep_Builder builder;
+  TopTools_IndexedMapOfShape edges;
+  for (const TopoDS_Shape& each : {low, high}) TopExp::MapShapes(each, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    builder.UpdateEdge(TopoDS::Edge(edges(i)), 2 * off);
+    for (const bool first : {true, false})
+      builder.UpdateVertex(first ? TopExp::FirstVertex(TopoDS::Edge(edges(i)))
+                                 : TopExp::LastVertex(TopoDS::Edge(edges(i))),
+                           2 * off);
+  }
+  // The fronts of both, in a wall that crosses them.
+  const std::vector<TopoDS_Face> fronts{faces_of(low)[2], faces_of(high)[2]};
+  const std::vector<TopoDS_Face> wall = faces_of(box({1, -1, -1}, {2, 1, 5}));
+  const Parts parts = parts_of(compound_of(intersect(fronts, wall), fronts, wall));
+  EXPECT_EQ(parts.wires, 2);
+  EXPECT_EQ(parts.edges, 4);
+  EXPECT_EQ(parts.vertices, 6);
+}
+
+}  // namespace
+}  // namespace blossom::occt
