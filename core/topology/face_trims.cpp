@@ -21,6 +21,7 @@ constexpr int kPointHalvings = 24;  // likewise a point: pieces are about as lon
 
 // The starts and ends of coedges at one vertex.
 struct Meeting {
+  int vertex = -1;
   std::vector<Coedge*> starts;
   std::vector<Coedge*> ends;
 };
@@ -31,7 +32,7 @@ std::vector<Meeting> meetings(FaceTrims& trims) {
   std::map<int, std::size_t> places;
   const auto at_vertex = [&](int vertex) -> Meeting& {
     const auto [known, added] = places.emplace(vertex, all.size());
-    return added ? all.emplace_back() : all[known->second];
+    return added ? all.emplace_back(Meeting{vertex, {}, {}}) : all[known->second];
   };
   for (auto& loop : trims.loops)
     for (Coedge& coedge : loop) {
@@ -41,8 +42,13 @@ std::vector<Meeting> meetings(FaceTrims& trims) {
   return all;
 }
 
-// Joins each end to a start, nearest pairs first.
+// Joins each end to a start, nearest pairs first. Where wires touch in a vertex their corners are
+// one point, as they are in space; those on the sides of a seam are farther apart.
 void join(Meeting meeting, FaceTrims& trims) {
+  const std::size_t first = trims.corners.size();
+  double reach = kOnWire;
+  if (meeting.vertex >= 0)
+    reach = std::max(reach, trims.vertices[static_cast<std::size_t>(meeting.vertex)].tolerance);
   while (!meeting.ends.empty()) {
     std::size_t best_end = 0, best_start = 0;
     double nearest_gap = std::numeric_limits<double>::infinity();
@@ -58,7 +64,11 @@ void join(Meeting meeting, FaceTrims& trims) {
       }
     meeting.ends[best_end]->to = meeting.starts[best_start]->from =
         static_cast<int>(trims.corners.size());
-    trims.corners.push_back(end_point(*meeting.ends[best_end], true));
+    const Vec2 corner = end_point(*meeting.ends[best_end], true);
+    const auto same = std::find_if(trims.corners.begin() + static_cast<std::ptrdiff_t>(first),
+                                   trims.corners.end(),
+                                   [&](const Vec2& p) { return distance(p, corner) <= reach; });
+    trims.corners.push_back(same == trims.corners.end() ? corner : *same);
     trims.largest_gap = std::max(trims.largest_gap, nearest_gap);
     meeting.ends.erase(meeting.ends.begin() + static_cast<std::ptrdiff_t>(best_end));
     meeting.starts.erase(meeting.starts.begin() + static_cast<std::ptrdiff_t>(best_start));
