@@ -119,7 +119,7 @@ Image image_of(const std::vector<Shown>& all) {
       picture.curves.push_back(std::move(line));
     }
   }
-  return picture_image(picture);
+  return picture_image(picture, scene_meshes(picture));
 }
 
 Shown without_face(Shown shown) {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "plugin/cli/output/output.h"
-#include "plugin/cli/picture/scene.h"
 
 namespace blossom::cli {
 namespace {
@@ -166,9 +165,8 @@ void add_layer(Glb& glb, const PictureLayer& layer) {
 
 }  // namespace
 
-std::string glb_bytes(const Picture& picture) {
+std::string glb_bytes(const Picture& picture, const std::vector<SceneMesh>& meshes) {
   Glb glb;
-  const std::vector<SceneMesh> meshes = scene_meshes(picture);
   for (std::size_t i = 0; i < picture.groups.size(); ++i)
     add_group(glb, picture.groups[i], i, meshes);
   for (const PictureLayer& layer : all_layers(picture)) add_layer(glb, layer);

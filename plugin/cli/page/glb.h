@@ -5,14 +5,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/scene.h"
 
 namespace blossom::cli {
 
 /// The bytes of a .glb file, in metres with y upwards as glTF has it. A node for every group and
 /// layer, with its name and colour; marks are points.
-/// throws   as picture_image
-std::string glb_bytes(const Picture& picture);
+/// meshes   of its scene
+std::string glb_bytes(const Picture& picture, const std::vector<SceneMesh>& meshes);
 
 }  // namespace blossom::cli

@@ -2,6 +2,7 @@
 #include "plugin/cli/page/page.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -15,7 +16,6 @@
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/page/base64.h"
 #include "plugin/cli/page/viewer_files.h"
-#include "plugin/cli/picture/scene.h"
 
 namespace blossom::cli {
 namespace {
@@ -67,14 +67,12 @@ std::string packed_indices(const std::vector<std::uint32_t>& indices, bool wide)
   return packed(std::vector<std::uint16_t>(indices.begin(), indices.end()));
 }
 
-std::vector<std::uint32_t> outline_indices(const PictureMesh& mesh,
-                                           const std::vector<Vec3>& outline) {
+// Of all triangles or lines, one after the other.
+template <std::size_t Ends>
+std::vector<std::uint32_t> indices_of(const std::vector<std::array<int, Ends>>& parts) {
   std::vector<std::uint32_t> indices;
-  for (const Vec3& p : outline) {
-    const auto found = std::ranges::find(mesh.points, p);
-    if (found != mesh.points.end())
-      indices.push_back(static_cast<std::uint32_t>(found - mesh.points.begin()));
-  }
+  for (const std::array<int, Ends>& part : parts)
+    for (const int i : part) indices.push_back(static_cast<std::uint32_t>(i));
   return indices;
 }
 
@@ -90,17 +88,11 @@ Json face_json(const PictureMesh& mesh, const SceneBox& box) {
           static_cast<std::uint16_t>(std::lround(65535 * std::clamp(share, 0.0, 1.0))));
       normals.push_back(static_cast<std::int8_t>(std::lround(127 * mesh.normals[i][k])));
     }
-  std::vector<std::uint32_t> triangles;
-  for (const auto& triangle : mesh.triangles)
-    for (const int i : triangle) triangles.push_back(static_cast<std::uint32_t>(i));
-  Json outlines = Json::array();
-  for (const std::vector<Vec3>& outline : mesh.outlines)
-    outlines.push_back(packed_indices(outline_indices(mesh, outline), wide));
   return {{"wide", wide},
           {"points", packed(points)},
           {"normals", packed(normals)},
-          {"triangles", packed_indices(triangles, wide)},
-          {"outlines", std::move(outlines)}};
+          {"triangles", packed_indices(indices_of(mesh.triangles), wide)},
+          {"border", packed_indices(indices_of(mesh.border), wide)}};
 }
 
 Json groups_json(const Picture& picture, const std::vector<SceneMesh>& meshes,
@@ -219,15 +211,15 @@ std::string html_of(const Json& scene) {
 
 }  // namespace
 
-std::string page_html(const Picture& picture) {
+std::string page_html(const Picture& picture, const std::vector<SceneMesh>& meshes) {
+  std::string html = html_of(scene_json(picture, meshes));
   double coarseness = 1;
-  std::size_t size = 0;
-  for (int i = 0; i < kTries; ++i, coarseness *= kCoarser) {
-    std::string html = html_of(scene_json(picture, scene_meshes(picture, coarseness)));
-    if (html.size() < kPageLimit) return html;
-    size = html.size();
+  for (int i = 1; i < kTries && html.size() >= kPageLimit; ++i) {
+    coarseness *= kCoarser;
+    html = html_of(scene_json(picture, scene_meshes(picture, coarseness)));
   }
-  throw occt::Failure("the page would have " + std::to_string(size / 1'000'000) +
+  if (html.size() < kPageLimit) return html;
+  throw occt::Failure("the page would have " + std::to_string(html.size() / 1'000'000) +
                       " MB, more than " + std::to_string(kPageLimit / 1'000'000) +
                       "; name the faces to show, as in FILE#1-500");
 }

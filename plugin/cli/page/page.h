@@ -4,8 +4,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/scene.h"
 
 namespace blossom::cli {
 
@@ -14,8 +16,9 @@ inline constexpr std::size_t kPageLimit = 5'000'000;
 
 /// The bytes of an HTML file. Its content security policy allows the one script and the one style
 /// sheet in it, by their hashes, and nothing to be fetched or sent.
-/// throws   as picture_image; occt::Failure if it would exceed the limit with the coarsest
-/// triangles
-std::string page_html(const Picture& picture);
+/// meshes   of its scene; with coarser ones the page is made if it has to
+/// throws   UsageError if the view is none; occt::Failure if it would exceed the limit with the
+/// coarsest triangles
+std::string page_html(const Picture& picture, const std::vector<SceneMesh>& meshes);
 
 }  // namespace blossom::cli

@@ -28,11 +28,7 @@ function decodeGroup(group) {
     points.push(own);
     normals.push(new Int8Array(bytes(face.normals).buffer));
     corners.push(Uint32Array.from(triangles, (i) => i + count));
-    for (const outline of face.outlines) {
-      const line = indices(outline, wide);
-      for (let i = 1; i < line.length; ++i)
-        for (const k of [line[i - 1], line[i]]) segments.push(...own.subarray(3 * k, 3 * k + 3));
-    }
+    for (const k of indices(face.border, wide)) segments.push(...own.subarray(3 * k, 3 * k + 3));
     face.first = drawn;
     face.count = triangles.length;
     drawn += triangles.length;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/math/index.h"
 #include "plugin/cli/picture/annotations.h"
 #include "plugin/cli/picture/canvas.h"
 #include "plugin/cli/picture/png.h"
@@ -92,8 +93,9 @@ LineLook look_of(LayerStyle style) {
 void add_outlines(Canvas& canvas, const std::vector<SceneMesh>& meshes, const View& view,
                   double lift) {
   for (const SceneMesh& item : meshes)
-    for (const auto& outline : item.mesh.outlines) {
-      canvas.lines.push_back(line_of(outline, view, lift));
+    for (const auto& [from, to] : item.mesh.border) {
+      canvas.lines.push_back(
+          line_of({item.mesh.points[index(from)], item.mesh.points[index(to)]}, view, lift));
       canvas.lines.back().colour = kOutlineColour;
       canvas.lines.back().width = kOutlineWidth * kSamples;
       canvas.lines.back().hidden = 0.12;
@@ -114,8 +116,7 @@ void add_layer(Canvas& canvas, const PictureLayer& layer, const View& view, doub
 
 }  // namespace
 
-Image picture_image(const Picture& picture) {
-  const std::vector<SceneMesh> meshes = scene_meshes(picture);
+Image picture_image(const Picture& picture, const std::vector<SceneMesh>& meshes) {
   const View view = view_of(picture, meshes);
   const double lift = kLift * picture.width * kSamples;
   Canvas canvas{picture.width, picture.height, {}, {}};
@@ -130,6 +131,8 @@ Image picture_image(const Picture& picture) {
   return image;
 }
 
-std::string picture_png(const Picture& picture) { return png_bytes(picture_image(picture)); }
+std::string picture_png(const Picture& picture, const std::vector<SceneMesh>& meshes) {
+  return png_bytes(picture_image(picture, meshes));
+}
 
 }  // namespace blossom::cli

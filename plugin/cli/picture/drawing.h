@@ -4,18 +4,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/picture/png.h"
+#include "plugin/cli/picture/scene.h"
 
 namespace blossom::cli {
 
 /// The picture as an image.
-/// throws   occt::Failure if a face cannot be triangulated; UsageError if the view is none
-Image picture_image(const Picture& picture);
+/// meshes   of its scene
+/// throws   UsageError if the view is none
+Image picture_image(const Picture& picture, const std::vector<SceneMesh>& meshes);
 
 /// The bytes of a PNG file.
 /// throws   likewise
-std::string picture_png(const Picture& picture);
+std::string picture_png(const Picture& picture, const std::vector<SceneMesh>& meshes);
 
 }  // namespace blossom::cli

@@ -3,94 +3,97 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_Copy.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Line.hxx>
-#include <Poly_PolygonOnTriangulation.hxx>
-#include <Poly_Triangulation.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/tessellation.h"
+#include "core/math/index.h"
 
 namespace blossom::cli {
 namespace {
 
-constexpr double kAngle = 0.2;  // radians between neighbouring triangles: looks smooth when shaded
-constexpr double kLargestAngle = 1;      // radians; a full turn keeps six sides
-constexpr int kEdgeSteps = 64;           // of an edge that is not straight
-constexpr double kOwnDeflection = 1e-4;  // of a face's own size
+constexpr int kEdgeSteps = 64;  // of an edge that is not straight
 
-Vec3 normal_at(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv) {
-  gp_Pnt point;
-  gp_Vec along_u, along_v;
-  surface.D1(uv.X(), uv.Y(), point, along_u, along_v);
-  return unit(occt::vec(along_u.Crossed(along_v).XYZ()));
-}
-
-std::vector<std::vector<Vec3>> outlines_of(const TopoDS_Face& face,
-                                           const Handle(Poly_Triangulation) & triangles,
-                                           const TopLoc_Location& place,
-                                           const std::vector<Vec3>& points) {
-  std::vector<std::vector<Vec3>> outlines;
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-    const Handle(Poly_PolygonOnTriangulation) polygon =
-        BRep_Tool::PolygonOnTriangulation(edge, triangles, place);
-    // A seam is no border to the eye.
-    if (polygon.IsNull() || BRep_Tool::IsClosed(edge, face)) continue;
-    outlines.emplace_back();
-    for (int i = 1; i <= polygon->NbNodes(); ++i)
-      outlines.back().push_back(points[static_cast<std::size_t>(polygon->Node(i) - 1)]);
+// Sides of one triangle alone. By the numbers of the whole mesh, in which the two borders of a seam
+// are one.
+std::vector<std::array<int, 2>> border_of(const MeshedFace& face) {
+  struct Side {
+    std::pair<int, int> ends;  // in numbers of the mesh, the lower one first
+    std::array<int, 2> corners{};
+  };
+  std::vector<Side> sides;
+  for (const std::array<int, 3>& triangle : face.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = triangle[k], b = triangle[(k + 1) % 3];
+      sides.push_back({std::minmax({face.vertices[index(a)], face.vertices[index(b)]}), {a, b}});
+    }
+  std::ranges::stable_sort(sides, {}, &Side::ends);
+  std::vector<std::array<int, 2>> border;
+  for (auto from = sides.begin(); from != sides.end();) {
+    const auto to =
+        std::find_if(from, sides.end(), [&](const Side& side) { return side.ends != from->ends; });
+    if (to - from == 1) border.push_back(from->corners);
+    from = to;
   }
-  return outlines;
+  return border;
 }
 
-// Faces far smaller than the deflection get no triangles: they are tried with a share of their own
-// size.
-Handle(Poly_Triangulation) triangulation_of(const TopoDS_Face& face, double deflection,
-                                            double angle, TopLoc_Location& place) {
-  for (const double within : {deflection, kOwnDeflection * size_of({face})}) {
-    BRepMesh_IncrementalMesh(face, within, Standard_False, angle, Standard_False);
-    const Handle(Poly_Triangulation) found = BRep_Tool::Triangulation(face, place);
-    if (!found.IsNull()) return found;
-  }
-  return {};
-}
-
-PictureMesh mesh_of(const TopoDS_Face& face, double deflection, double angle) {
-  const TopoDS_Face copy = TopoDS::Face(BRepBuilderAPI_Copy(face, Standard_False).Shape());
-  TopLoc_Location place;
-  const Handle(Poly_Triangulation) found = triangulation_of(copy, deflection, angle, place);
-  if (found.IsNull()) throw occt::Failure("a face cannot be triangulated for the picture");
-
+PictureMesh mesh_of(const MeshedFace& face, const std::vector<Vec3>& points, bool reversed) {
   PictureMesh mesh;
-  const BRepAdaptor_Surface surface(copy, Standard_False);
-  for (int i = 1; i <= found->NbNodes(); ++i) {
-    mesh.points.push_back(occt::vec(found->Node(i).Transformed(place).XYZ()));
-    mesh.normals.push_back(found->HasUVNodes() ? normal_at(surface, found->UVNode(i)) : Vec3{});
+  for (const int vertex : face.vertices) mesh.points.push_back(points[index(vertex)]);
+  mesh.normals = face.normals;
+  mesh.triangles = face.triangles;
+  mesh.border = border_of(face);
+  if (!reversed) return mesh;
+  for (Vec3& normal : mesh.normals) normal = -normal;
+  for (std::array<int, 3>& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  return mesh;
+}
+
+PictureMesh border_alone(const TopoDS_Face& face, const std::string& obstacle) {
+  PictureMesh mesh;
+  mesh.obstacle = obstacle;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const std::vector<Vec3> points = edge_points(TopoDS::Edge(it.Current()));
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const int first = static_cast<int>(mesh.points.size() + i) - 1;
+      mesh.border.push_back({first, first + 1});
+    }
+    mesh.points.insert(mesh.points.end(), points.begin(), points.end());
   }
-  for (int i = 1; i <= found->NbTriangles(); ++i) {
-    std::array<int, 3> t{};
-    found->Triangle(i).Get(t[0], t[1], t[2]);
-    mesh.triangles.push_back({t[0] - 1, t[1] - 1, t[2] - 1});
-  }
-  mesh.outlines = outlines_of(copy, found, place, mesh.points);
+  mesh.normals.resize(mesh.points.size());
   return mesh;
 }
 
 }  // namespace
 
-PictureMesh picture_mesh(const TopoDS_Face& face, double deflection, double coarseness) {
-  const double angle = std::min(kAngle * coarseness, kLargestAngle);
-  return occt::guarded("triangulating a face", [&] { return mesh_of(face, deflection, angle); });
+std::vector<PictureMesh> picture_meshes(const std::vector<TopoDS_Face>& faces, double deviation,
+                                        double angle) {
+  const TopoDS_Compound whole = occt::compound_of(faces);
+  const occt::ShapeTessellation made =
+      occt::tessellation(whole, {.deviation = deviation, .angle = angle});
+  TopTools_IndexedMapOfShape numbers;
+  TopExp::MapShapes(whole, TopAbs_FACE, numbers);
+  std::vector<PictureMesh> meshes;
+  for (const TopoDS_Face& face : faces) {
+    const std::size_t number = index(numbers.FindIndex(face)) - 1;
+    const MeshedFace& meshed = made.facets.faces[number];
+    meshes.push_back(meshed.triangles.empty()
+                         ? border_alone(face, meshed.obstacle)
+                         : mesh_of(meshed, made.facets.points, made.reversed[number]));
+  }
+  return meshes;
 }
 
 std::vector<Vec3> edge_points(const TopoDS_Edge& edge) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Triangles of faces for pictures, with the surface's own normals.
+// Faces as triangles for pictures, with the surfaces' own normals.
 
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include <TopoDS_Edge.hxx>
@@ -15,16 +16,20 @@ namespace blossom::cli {
 
 struct PictureMesh {
   std::vector<Vec3> points;   ///< model units
-  std::vector<Vec3> normals;  ///< one per point, unit; zero where the surface has none
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<std::vector<Vec3>> outlines;  ///< a polyline for each edge of the face
+  std::vector<Vec3> normals;  ///< one per point, unit, outwards; zero where the surface has none
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise as seen from outside
+  /// Short lines along the face's edges, from point to point; seams are no border to the eye.
+  std::vector<std::array<int, 2>> border;
+  std::string obstacle = {};  ///< why there are no triangles; empty if all is well
 };
 
-/// Triangulates a copy of the face; the face itself keeps what triangles it had.
-/// deflection   distance of the triangles to the surface, model units, > 0
-/// coarseness   of the angle between neighbouring triangles; 1 looks smooth
-/// throws       occt::Failure if the face cannot be triangulated
-PictureMesh picture_mesh(const TopoDS_Face& face, double deflection, double coarseness = 1);
+/// A mesh for each face; faces that share an edge share its points. A face that cannot be meshed
+/// has a border and no triangles.
+///
+/// deviation   distance of triangles and faces, model units, > 0
+/// angle       largest turn of the normal along one side of a triangle, about; radians
+std::vector<PictureMesh> picture_meshes(const std::vector<TopoDS_Face>& faces, double deviation,
+                                        double angle);
 
 /// Points of an edge, two if it is straight; none if it has no curve in space.
 std::vector<Vec3> edge_points(const TopoDS_Edge& edge);

@@ -18,8 +18,10 @@ struct SceneMesh {
   std::size_t face = 0;   ///< of the group
 };
 
+/// All faces as triangles that are off by less than a pixel of the picture.
+///
 /// coarseness   1: what a picture shows as smooth; triangles are about so many times as long
-/// throws       occt::Failure if a face cannot be triangulated
+/// throws       UsageError if the view is none
 std::vector<SceneMesh> scene_meshes(const Picture& picture, double coarseness = 1);
 
 /// Corners of all triangles, three after three.

@@ -50,6 +50,10 @@ Picture bowl_picture() {
   return picture;
 }
 
+std::string page_of(const Picture& picture) { return page_html(picture, scene_meshes(picture)); }
+
+std::string glb_of(const Picture& picture) { return glb_bytes(picture, scene_meshes(picture)); }
+
 json data_of(const std::string& html) {
   const std::string begin = "<script type=\"application/json\" id=\"data\">";
   const std::size_t from = html.find(begin) + begin.size();
@@ -57,7 +61,7 @@ json data_of(const std::string& html) {
 }
 
 TEST(Page, HasEverythingThatThePictureHas) {
-  const json data = data_of(page_html(bowl_picture()));
+  const json data = data_of(page_of(bowl_picture()));
   EXPECT_EQ(data["title"], "bowl");
   EXPECT_EQ(data["groups"][0]["name"], "bowl");
   EXPECT_EQ(data["groups"][0]["faces"][0]["label"], "face 1");
@@ -68,14 +72,14 @@ TEST(Page, HasEverythingThatThePictureHas) {
 }
 
 TEST(Page, NeedsNoNetworkAndAllowsNone) {
-  const std::string html = page_html(bowl_picture());
+  const std::string html = page_of(bowl_picture());
   EXPECT_NE(html.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
   EXPECT_EQ(html.find("unsafe-inline"), std::string::npos);
   EXPECT_FALSE(std::regex_search(html, std::regex("(src|href)=|https?:|@import|fetch\\(")));
 }
 
 TEST(Page, TextOfTheSceneCannotEndItsElement) {
-  const std::string html = page_html(bowl_picture());
+  const std::string html = page_of(bowl_picture());
   EXPECT_EQ(html.find("</script> certificate"), std::string::npos);
 }
 
@@ -84,7 +88,7 @@ TEST(Page, GetsCoarserTrianglesRatherThanTooLarge) {
   picture.groups = {{{}, kFirstColour}};
   for (int i = 0; i < 500; ++i)
     picture.groups.front().faces.push_back(BRepPrimAPI_MakeSphere(gp_Pnt(3.0 * i, 0, 0), 1).Face());
-  const std::string html = page_html(picture);
+  const std::string html = page_of(picture);
   EXPECT_LT(html.size(), kPageLimit);
   EXPECT_EQ(data_of(html)["groups"][0]["faces"].size(), 500u);
 }
@@ -94,7 +98,7 @@ TEST(Glb, IsReadByOpenCascadeInItsUnitsAndAxes) {
   Picture picture;
   picture.groups = {
       {{BRepPrimAPI_MakeSphere(gp_Pnt(10, 20, 30), 5).Face()}, kFirstColour, 1, "ball"}};
-  testing::write_text(folder / "ball.glb", glb_bytes(picture));
+  testing::write_text(folder / "ball.glb", glb_of(picture));
 
   RWGltf_CafReader reader;
   reader.SetSystemLengthUnit(0.001);
@@ -110,7 +114,7 @@ TEST(Glb, IsReadByOpenCascadeInItsUnitsAndAxes) {
 }
 
 TEST(Glb, HasCurvesAsLines) {
-  const std::string bytes = glb_bytes(bowl_picture());
+  const std::string bytes = glb_of(bowl_picture());
   std::uint32_t length = 0;
   std::memcpy(&length, bytes.data() + 8, 4);
   EXPECT_EQ(bytes.size(), length);

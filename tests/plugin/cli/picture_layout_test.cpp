@@ -94,6 +94,8 @@ TEST(Lettering, IsCutWithDotsToFit) {
   EXPECT_LE(lettering_of(cut, 10).width, 100);
 }
 
+Image image_of(const Picture& picture) { return picture_image(picture, scene_meshes(picture)); }
+
 Picture box_picture() {
   Picture picture;
   picture.groups = {{{testing::lid(0)}, kFirstColour, 1, "lid"}};
@@ -125,10 +127,10 @@ TEST(Annotations, AreDrawnBesideTheScene) {
   const Image bare = [&] {
     Picture copy = picture;
     copy.groups.front().name.clear();
-    return picture_image(copy);
+    return image_of(copy);
   }();
   picture.title = "A title";
-  const Image titled = picture_image(picture);
+  const Image titled = image_of(picture);
   constexpr Vec3 kInk = {0.13, 0.16, 0.20};
   EXPECT_GT(pixels_like(titled, kInk), pixels_like(bare, kInk) + 150);
 }
@@ -144,11 +146,11 @@ TEST(Picture, IsOfTheSizeAndFromTheSideThatIsAskedFor) {
   Picture picture = box_picture();
   picture.width = 320;
   picture.height = 200;
-  const Image iso = picture_image(picture);
+  const Image iso = image_of(picture);
   EXPECT_EQ(iso.width, 320);
   EXPECT_EQ(iso.pixels.size(), 320u * 200u);
   picture.view = "front";
-  EXPECT_FALSE(picture_image(picture).pixels == iso.pixels);
+  EXPECT_FALSE(image_of(picture).pixels == iso.pixels);
 }
 
 TEST(Hatch, LiesOnTheFaceWithinThePolygon) {

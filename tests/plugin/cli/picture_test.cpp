@@ -10,18 +10,8 @@
 #include <array>
 #include <cstdlib>
 
-#include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_MakeWire.hxx>
-#include <GC_MakeArcOfCircle.hxx>
-#include <TopoDS_Face.hxx>
-#include <TopoDS_Wire.hxx>
-#include <gp_Pln.hxx>
-#include <gp_Pnt.hxx>
-
 #include "plugin/cli/picture/canvas.h"
 #include "plugin/cli/picture/drawing.h"
-#include "plugin/cli/picture/mesh.h"
 #include "plugin/cli/picture/png.h"
 #include "tests/plugin/cli/program.h"
 
@@ -163,6 +153,8 @@ TEST(Png, ReadsBackAsTheSamePixels) {
   EXPECT_TRUE(back.pixels == image.pixels);
 }
 
+std::string png_of(const Picture& picture) { return picture_png(picture, scene_meshes(picture)); }
+
 bool is_red(const Colour& c) { return c.red > 150 && c.green < 90 && c.blue < 90; }
 
 TEST(Picture, ShowsFacesAndCurvesInTheWholeFrame) {
@@ -173,7 +165,7 @@ TEST(Picture, ShowsFacesAndCurvesInTheWholeFrame) {
     circle.push_back({0.5 * std::cos(i * 0.0981747704), 0.5 * std::sin(i * 0.0981747704), 0.25});
   picture.curves = {circle};
 
-  const Image image = decoded(picture_png(picture));
+  const Image image = decoded(png_of(picture));
 
   EXPECT_EQ(image.width, 1200);
   EXPECT_EQ(image.height, 900);
@@ -193,21 +185,10 @@ TEST(Picture, ShowsFacesAndCurvesInTheWholeFrame) {
   EXPECT_LT(right, image.width - 1);
 }
 
-// A sliver, 0.03 long and 3e-5 wide: the mesher sees none at a deflection of 0.5.
-TEST(Picture, HasTrianglesForTheLeastFace) {
-  const gp_Pnt a(2.93e-5, 0, 0), b(0, 0.013, 0), c(0, -0.0176, 0);
-  const gp_Pnt on_ab(2.09e-5, 0.0065, 0), on_cb(3.74e-5, -0.0023, 0);
-  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(a, on_ab, b).Value()));
-  wire.Add(BRepBuilderAPI_MakeEdge(a, c));
-  wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(c, on_cb, b).Value()));
-  const TopoDS_Face sliver = BRepBuilderAPI_MakeFace(gp_Pln(), wire.Wire());
-  EXPECT_FALSE(picture_mesh(sliver, 0.5).triangles.empty());
-}
-
 TEST(Picture, IsTheSameBytesEveryTime) {
   Picture picture;
   picture.groups = {{{testing::bowl(), testing::half_pipe()}, kFirstColour, 0.5}};
-  EXPECT_TRUE(picture_png(picture) == picture_png(picture));
+  EXPECT_TRUE(png_of(picture) == png_of(picture));
 }
 
 }  // namespace
