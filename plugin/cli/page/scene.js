@@ -65,7 +65,8 @@ const groups = data.groups.map(decodeGroup), layers = data.layers.map(decodeLaye
 
 // ---- the camera: parallel, z upwards ----------------------------------------------------------
 
-const camera = { azimuth: 0, elevation: 0, target: [0, 0, 0], zoom: 1 };
+// `whole` as long as nobody has zoomed or slid: all that there is then stays in the canvas.
+const camera = { azimuth: 0, elevation: 0, target: [0, 0, 0], zoom: 1, whole: true };
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 function lookFrom(eye) {
@@ -99,6 +100,7 @@ function fit() {
   const [x, y] = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
   camera.target = [0, 1, 2].map((k) => x * right[k] + y * up[k]);
   camera.zoom = 1;
+  camera.whole = true;
   const scale = pixelScale(), least = 1e-9 * data.size;
   camera.zoom = 0.92 * Math.min(canvas.clientWidth / (scale * Math.max(high[0] - low[0], least)),
                                 canvas.clientHeight / (scale * Math.max(high[1] - low[1], least)));

@@ -331,6 +331,7 @@ function listen() {
     if (held.slides) {
       const [right, up] = axes(), scale = pixelScale();
       camera.target = camera.target.map((t, k) => t - (dx * right[k] - dy * up[k]) / scale);
+      camera.whole = false;
     } else {
       camera.azimuth -= dx * 0.008;
       camera.elevation = Math.min(Math.PI / 2, Math.max(-Math.PI / 2, camera.elevation + dy * 0.008));
@@ -348,12 +349,16 @@ function listen() {
     event.preventDefault();
     const x = event.offsetX - canvas.clientWidth / 2, y = event.offsetY - canvas.clientHeight / 2;
     const before = pixelScale();
+    camera.whole = false;
     camera.zoom = Math.min(1e5, Math.max(0.05, camera.zoom * Math.exp(-0.0015 * event.deltaY)));
     const [right, up] = axes(), gain = 1 / before - 1 / pixelScale();  // what is below the mouse stays
     camera.target = camera.target.map((t, k) => t + gain * (x * right[k] - y * up[k]));
     redraw();
   }, { passive: false });
-  new ResizeObserver(redraw).observe(canvas);
+  new ResizeObserver(() => {
+    if (camera.whole) fit();
+    redraw();
+  }).observe(canvas);
 }
 
 fillPanel();

@@ -182,6 +182,21 @@ class PageInBrowser(unittest.TestCase):
         zoomed = self.place_on_curve()
         self.assertGreater(abs(zoomed[0] - turned[0]) + abs(zoomed[1] - turned[1]), 5)
 
+    def test_shows_all_in_a_window_that_gets_another_size(self):
+        for width, height in ((1200, 500), (1200, 1000), (700, 1000)):
+            self.browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                              deviceScaleFactor=1, mobile=False)
+            if height == 500:
+                self.browser.open(self.page)
+            self.browser.value("new Promise(done => setTimeout(done, 100))")
+            ends = self.browser.value("[0, 1].map(share => blossomPage.placeOf("
+                                      "blossomPage.layers.indexOf('crossing'), 0, share))")
+            room = self.browser.value("[canvas.clientWidth, canvas.clientHeight]")
+            for end in ends:
+                for at, length in zip(end, room):
+                    self.assertTrue(0 < at < length, (width, height, ends, room))
+        self.browser.call("Emulation.clearDeviceMetricsOverride")
+
     def test_asks_for_nothing_but_itself(self):
         self.assertEqual(self.browser.requests(), [pathlib.Path(self.page).as_uri()])
 
