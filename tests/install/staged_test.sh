@@ -42,10 +42,18 @@ is_searched() {
 claim "Python looks where the package is below /usr" is_searched /usr
 claim "Python looks where the package is below /usr/local" is_searched /usr/local
 
+# Without it FreeCAD's shapes come as copies, and nothing says so.
+bridges() {
+  bare PYTHONPATH="$1" "$python" -B -c "
+import blossom
+if blossom._core.has_swig_bridge:
+    import blossom.swig_shapes"
+}
 imports() { bare PYTHONPATH="$1" "$python" -B -c "import blossom; print(blossom.intersect)" >/dev/null; }
 for prefix in /usr /usr/local /opt/somewhere; do
   package=$(package_of "$prefix")
   claim "the package below $prefix can be imported" imports "$folder${package%/blossom}"
+  claim "and takes FreeCAD's shapes as they are" bridges "$folder${package%/blossom}"
   addon=$folder$prefix/share/freecad/Mod/Blossom
   claim "the add-on below $prefix has it" test "$addon/blossom" -ef "$folder$package"
   claim "and says what it is" grep -q '<name>Blossom</name>' "$addon/package.xml"
