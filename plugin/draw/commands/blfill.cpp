@@ -29,7 +29,7 @@ std::string answer_to_blfill(const Words& words) {
   for (std::size_t i = 3; i < words.size(); ++i) edges.push_back(count_from(words[i]));
   const std::vector<occt::HoleLoop> loops =
       edges.empty() ? occt::open_loops(shape).loops : occt::hole_loops(shape, edges);
-  if (loops.empty()) throw occt::BadModel(words[1] + " has no open edge, so no hole");
+  if (loops.empty()) throw occt::BadModel(words[1] + ": no edge is open, so there is no hole");
 
   std::vector<occt::FilledHole> holes;
   std::string list;

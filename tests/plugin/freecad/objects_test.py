@@ -213,7 +213,11 @@ def solids_add_up(document):
         made.Operation = operation
         document.recompute()
         claim(operation, valid(made) and near(made.Volume, volume))
+    claim("of what is cut nothing is noted", list(made.Notes) == [])
     rod.Placement.Base = V(100, 0, 0)
+    made.Operation = "cut"
+    document.recompute()
+    claim("that nothing is cut is noted", valid(made) and "nothing is cut" in made.Notes[0])
     made.Operation = "common"
     document.recompute()
     claim("nothing in common is an error that says so", says(made, "the result of common is empty"))
@@ -301,7 +305,7 @@ def fill_closes_holes(document):
     claim("with the cup it is closed", filled.Shape.isClosed() and near(filled.Shape.Area, 600))
     filled.Edges = [(box(document), "")]
     document.recompute()
-    claim("without a hole it is an error", says(filled, "has no open edge, so no hole"))
+    claim("without a hole it is an error", says(filled, "Edges: no edge is open, so there is no hole"))
 
 
 def fillet_rounds_edges(document):
@@ -324,6 +328,10 @@ def fillet_rounds_edges(document):
     rounded.Edges = [(block, "Face6")]
     document.recompute()
     claim("a face means its edges", len(rounded.Rounded) == 4)
+    other = box(document, "Other")
+    rounded.Edges = [(block, "Edge1"), (other, "Edge1")]
+    document.recompute()
+    claim("edges of two objects are an error", says(rounded, "of one object are wanted, these are of 2"))
     rounded.Edges = [(block, "")]
     document.recompute()
     claim("an object all that it has", len(rounded.Rounded) == 12)

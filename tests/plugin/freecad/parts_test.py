@@ -115,6 +115,10 @@ def clash_follows_containers_and_refuses_faces(document):
     holder.Placement.Base = V(0, 0, 50)
     document.recompute()
     claim("and not at all far away", valid(found) and (found.Clashes, found.Volume) == (0, 0))
+    others = [box(document, f"Far{i}", at=(100 * i, 0, 0)) for i in (1, 2)]
+    found.A = [(block, ""), *((each, "") for each in others)]
+    document.recompute()
+    claim("pairs that are not listed are counted", found.FarApart == 1 and len(found.Pairs) == 2)
     sheet = document.addObject("Part::Plane", "Sheet")
     found.A = [(block, ""), (sheet, "")]
     document.recompute()

@@ -199,6 +199,24 @@ def chamfer():
     chamfer = document.Chamfer
     claim("four edges are cut off", len(chamfer.CutOff) == 4 and chamfer.Shape.isValid())
     claim("by the angle that was typed", abs(chamfer.Angle.Value - 30) < 1e-9)
+    yield from in_inches(document)
+
+
+def in_inches(document):
+    usual = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("UserSchema", 0)
+    FreeCAD.Units.setSchema(3)
+    select(document, ("Block", "Edge1"))
+    FreeCADGui.runCommand("Blossom_Chamfer")
+    yield found
+    shown = {
+        name: widget(QtWidgets.QWidget, f"Blossom{name}").findChild(QtWidgets.QLineEdit).text()
+        for name in ("Distance", "Tolerance")
+    }
+    claim("lengths are in the user's units", shown["Distance"].endswith(" in"))
+    claim("and none looks like nothing", float(shown["Tolerance"].split()[0]) > 0)
+    claim("so is the volume", " in³" in said() and f"{document.Chamfer001.Volume / 25.4**3:.4g}" in said())
+    press("Cancel")
+    FreeCAD.Units.setSchema(usual)
 
 
 def clash():

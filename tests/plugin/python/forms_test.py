@@ -172,7 +172,7 @@ class Fills(unittest.TestCase):
             ("^continuity: 'G3' is none of G0, G1, G2", {"continuity": "G3"}),
             ("^continuity: one word, or one for each", {"continuity": ["G0", "G1"]}),
             ("^layout: 'spiral' is none of auto, star", {"layout": "spiral"}),
-            ("has no open edge, so no hole", {}),
+            ("no edge is open, so there is no hole", {}),
         ):
             with self.subTest(options), self.assertRaisesRegex(ValueError, message):
                 BLOCK.fill(**options)

@@ -19,7 +19,7 @@ def facts_of(done, doing):
     """Facts; `done` is the name of the one with the edges' numbers."""
     return (
         Fact("Status", "word", "complete, or stopped"),
-        Fact(done, "counts", f"The numbers of the edges that are {doing}"),
+        Fact(done, "edges", f"The numbers of the edges that are {doing}"),
         Fact("Volume", "volume", "Afterwards, cubic mm"),
         Fact("Refused", "words", f"Edges that cannot be {doing}, and why"),
         Fact("Notes", "words", "How strips end, where that is not what one would think"),

@@ -17,8 +17,8 @@ Link = collections.namedtuple("Link", "name label tip")
 # A choice of the user's. kind: "length", "distance", "angle", "number", "count", "flag", "word",
 # "lines", "vector", "points". of: its words, or its least and largest number.
 Choice = collections.namedtuple("Choice", "name kind default label tip of", defaults=(None,))
-# A fact of the answer. kind: "word", "words", "count", "counts", or a number: "length", "area",
-# "volume", "angle".
+# A fact of the answer. kind: "word", "words", "count", "counts", "edges" by their numbers, or a
+# number: "length", "area", "volume", "angle".
 Fact = collections.namedtuple("Fact", "name kind tip")
 
 TOLERANCE = Choice(
@@ -46,6 +46,7 @@ _FACT_TYPES = {
     "angle": "App::PropertyFloat",
     "words": "App::PropertyStringList",
     "counts": "App::PropertyIntegerList",
+    "edges": "App::PropertyIntegerList",
 }
 REASONS = Fact("Reasons", "words", "Why the status is not complete")
 # What users can mend; a full disk is an OSError.

@@ -6,6 +6,7 @@ import FreeCADGui
 from PySide import QtGui
 
 _NARROW = 60  # pixels; panels are as wide as users have made them
+_DIGITS = 6  # of lengths and angles, as of facts
 _UNITS = {"length": "mm", "distance": "mm", "angle": "deg"}
 _LEAST = {"length": 0.0, "angle": 0.0}  # that may be typed
 
@@ -35,6 +36,7 @@ class Quantity:
         self.widget.setProperty("unit", _UNITS[choice.kind])
         if choice.kind in _LEAST:
             self.widget.setProperty("minimum", _LEAST[choice.kind])
+        value.Format = {"NumberFormat": "g", "Precision": _DIGITS}  # a tolerance is not 0.00 in
         self.widget.setProperty("value", value)
         self.widget.valueChanged.connect(lambda *_: changed())
 
@@ -100,6 +102,15 @@ class Lines:
         return [part for part in parts if part]
 
 
+class _Coordinate(QtGui.QDoubleSpinBox):
+    """A number without the zeros at its end, for which there is no room."""
+
+    def textFromValue(self, value):  # noqa: N802 - Qt's name
+        text = super().textFromValue(value)
+        point = self.locale().decimalPoint()
+        return text.rstrip("0").rstrip(point) if point in text else text
+
+
 class Vector:
     """Three numbers in millimetres side by side."""
 
@@ -109,7 +120,7 @@ class Vector:
         layout.setContentsMargins(0, 0, 0, 0)
         self._parts = []
         for x in value:
-            part = QtGui.QDoubleSpinBox()
+            part = _Coordinate()
             part.setRange(-1e9, 1e9)
             part.setDecimals(4)
             part.setValue(x)

@@ -112,7 +112,7 @@ def whole_with_edges(link, name):
         raise ValueError(f"{name}: edges, or an object are wanted, and there are none")
     wholes = {(target, path_of(sub)) for target, sub in listed}
     if len(wholes) != 1:
-        raise ValueError(f"{name}: edges of one object are wanted, there are {len(wholes)}")
+        raise ValueError(f"{name}: edges of one object are wanted, these are of {len(wholes)}")
     target, path = wholes.pop()
     whole = shape_of(target, path, name)
     faces, edges = whole.Faces, whole.Edges  # FreeCAD makes the lists anew each time

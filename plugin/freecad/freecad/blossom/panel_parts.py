@@ -12,7 +12,7 @@ from . import check, clash, links, selection, trim
 _ROW = 18  # pixels of a line in lists
 _TABLE = 150  # pixels, at most
 _WIDEST = 0.4  # of a table's width, its first column
-_UNITS = {"length": "mm", "area": "mm²", "volume": "mm³", "angle": "rad"}  # of facts
+_POWERS = {"length": 1, "area": 2, "volume": 3}  # of facts
 
 
 class LinkBox(QtGui.QGroupBox):
@@ -94,7 +94,9 @@ class StateBox(QtGui.QFrame):
             value = getattr(obj, fact.name)
             if fact.kind in ("area", "volume") and value == 0:  # of solids no area, of sheets no volume
                 continue
-            value = shown_fact(value, _UNITS.get(fact.kind, ""))
+            if fact.kind == "edges":
+                value = [f"Edge{number}" for number in value]
+            value = shown_fact(value, fact.kind)
             if value and fact.name not in obj.Proxy.TABLED:
                 rows.append((f"{spaced(fact.name)}&nbsp;&nbsp;", _escaped(value)))
         rows.append(("Time", f"{seconds:.2f} s"))
@@ -107,14 +109,24 @@ class StateBox(QtGui.QFrame):
         self.text.setText(text)
 
 
-def shown_fact(value, unit="", most=3):
+def shown_fact(value, kind, most=3):
     """A fact in a few words; nothing of an empty list."""
-    if isinstance(value, float):
-        return f"{value:.6g} {unit}".rstrip()
+    if kind in _POWERS:
+        return in_users_units(value, _POWERS[kind])
+    if kind == "angle":
+        return f"{value:.6g} rad"
     if isinstance(value, (list, tuple)):
         more = f", ... {len(value)} in all" if len(value) > most else ""
         return ", ".join(str(each) for each in value[:most]) + more
     return str(value)
+
+
+def in_users_units(millimetres, power):
+    """A length, an area or a volume. The latter in powers of the unit that a millimetre has: not in
+    millilitres beside lengths in millimetres."""
+    sample = millimetres if power == 1 else 1.0
+    _, factor, unit = FreeCAD.Units.Quantity(sample, FreeCAD.Units.Length).getUserPreferred()
+    return f"{millimetres / factor**power:.6g} {unit}{('', '²', '³')[power - 1]}"
 
 
 def spaced(name):

@@ -22,7 +22,7 @@ class Section(Feature):
              "is; none: Point and Normal say it"),
     )  # fmt: skip
     CHOICES = (
-        Choice("Point", "vector", FreeCAD.Vector(0, 0, 0), "Point", "A point of the plane"),
+        Choice("Point", "vector", FreeCAD.Vector(0, 0, 0), "Point", "A point of the plane, mm"),
         Choice("Normal", "vector", FreeCAD.Vector(0, 0, 1), "Normal", "Its normal, of any length"),
         Choice("Offset", "distance", "0 mm", "Offset", "Of the first plane, along the normal"),
         Choice("Count", "count", 1, "Planes", "How many there are", (1, MOST_PLANES)),

@@ -26,7 +26,7 @@ class Solid(Feature):
         Fact("Solids", "count", "How many solids came out"),
         Fact("Volume", "volume", "Of what came out, cubic mm"),
         Fact("Area", "area", "Of the sheets that came out, square mm"),
-        Fact("Notes", "words", "What counts as one, and tolerances that were not true"),
+        Fact("Notes", "words", "That nothing is cut, what counts as one, tolerances that were not true"),
         Fact("Obstacles", "words", "Why there is no result"),
     )
 
@@ -49,7 +49,7 @@ class Solid(Feature):
             "Solids": len(report["solids"]),
             "Volume": report["total"]["result"],
             "Area": report["areas"]["result"],
-            "Notes": report["thin"] + report["tolerances"],
+            "Notes": _cuts_nothing(report) + report["thin"] + report["tolerances"],
             "Obstacles": report["obstacles"],
         }
 
@@ -60,3 +60,12 @@ class Solid(Feature):
 
     def nothing(self, obj):
         return obj.Obstacles[0] if obj.Obstacles else f"the result of {obj.Operation} is empty"
+
+
+def _cuts_nothing(report):
+    """A line if a cut leaves the part as it was; of sheets there is no volume to tell it by."""
+    steps = report["steps"]
+    cuts = report["operation"] in ("cut", "split") and steps
+    if cuts and all(step["tool"] > 0 and step["common"] == 0 for step in steps):
+        return ["nothing is cut: part and tools have no volume in common"]
+    return []
