@@ -25,11 +25,10 @@ std::string fillet_answer(const Words& words) {
 const Command kBlfillet{
     "blfillet", "result solid radius|from..to all|convex|concave|edge[:radius] [edge ...]",
     "\n\t\t: edges of solids rounded by a ball that rolls along them; 2..5: from 2 at the start"
-    "\n\t\t: of a run of edges to 5 at its end; 7:3 and 7:2..5: edge 7 has its own. Edges by their "
-    "numbers in blinfo, that is in the"
-    "\n\t\t: order of explode. The answer is how many edges were rounded, and the volumes before"
-    "\n\t\t: and after; behind them edges that are smooth or seams, which are left out. Where one "
-    "cannot be rounded the error says why.",
+    "\n\t\t: of a run of edges to 5 at its end; 7:3 and 7:2..5: edge 7 has its own. Edges by"
+    "\n\t\t: their numbers in the order of explode. The answer is how many edges were rounded, and"
+    "\n\t\t: the volumes before and after; behind them edges that are smooth or seams, which are"
+    "\n\t\t: left out. Where one cannot be rounded the error says why.",
     fillet_answer};
 
 }  // namespace blossom::draw

@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include <DBRep.hxx>
+#include <Draw.hxx>
+#include <Draw_Drawable3D.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/intersection_edges.h"
@@ -37,8 +39,11 @@ void require(bool right_number) {
 TopoDS_Shape shape_named(const std::string& name) {
   Standard_CString text = name.c_str();
   const TopoDS_Shape shape = DBRep::Get(text);
-  if (shape.IsNull()) throw occt::BadModel(name + ": there is no such shape");
-  return shape;
+  if (!shape.IsNull()) return shape;
+  if (!Draw::Get(text).IsNull())
+    throw occt::BadModel(name +
+                         " is no shape; mkface makes one of a surface, mkedge one of a curve");
+  throw occt::BadModel(name + ": there is no such shape");
 }
 
 std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape, const std::string& name) {

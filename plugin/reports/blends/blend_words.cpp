@@ -24,7 +24,8 @@ double positive_number(const std::string& text, const std::string& word) {
     used = 0;
   }
   if (used == 0 || used != text.size() || !(value > 0) || !std::isfinite(value))
-    throw InvalidInput("\"" + word + "\": \"" + text + "\" is no positive number");
+    throw InvalidInput((text == word ? "" : "\"" + word + "\": ") + "\"" + text +
+                       "\" is no positive number");
   return value;
 }
 

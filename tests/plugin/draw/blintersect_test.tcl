@@ -53,6 +53,9 @@ test {
       [string match "*v: there is no face in it*" [message_of blintersect r v a]]
   claim "a bad tolerance is refused" \
       [string match "*'-1' is no positive number*" [message_of blintersect r a b -1]]
+  plane flat 0 0 0 0 0 1
+  claim "how a surface becomes a face" \
+      [string match "*flat is no shape; mkface makes one*" [message_of blintersect r a flat]]
   claim "too few words show the usage" \
       [string match "*usage: blintersect result*" [message_of blintersect r a]]
 }
