@@ -86,6 +86,8 @@ FilledHole filled_hole(const HoleLoop& loop, const std::vector<FillContinuity>& 
   result.fill = fill(sides, wish);
   if (result.fill.problem != FillProblem::None) {
     result.fill.message = place_text(result.fill, loop) + result.fill.message;
+    if (result.fill.problem == FillProblem::TangentPlanes)
+      result.fill.message += "; G0 asks for no tangent planes";
     return result;
   }
   const bool turned = runs_with_neighbour(loop);

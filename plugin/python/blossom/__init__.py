@@ -333,6 +333,7 @@ def solid(
     operation: str, part: Any, *tools: Any, planes: Any = (), fuzzy: float = 0, **options: Any
 ) -> Solid:
     """Closed solids combined: "cut", "common", "fuse" or "split"; see `Model.solid`."""
+    _checks.word(operation, "operation", _checks.OPERATIONS)  # before a file of that name is missed
     return model_of(part, "part").solid(operation, *tools, planes=planes, fuzzy=fuzzy, **options)
 
 

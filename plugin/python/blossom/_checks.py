@@ -14,6 +14,7 @@ from . import _core
 Triple = Tuple[float, float, float]
 
 FORMS = ("auto", "bezier", "monomial")
+OPERATIONS = ("cut", "common", "fuse", "split")
 SMOOTHNESS = ("G0", "G1", "G2")
 LAYOUTS = ("auto", "star", "ring", "deep-ring")
 TARGETS = ("bezier", "monomial", "triangles")
@@ -150,6 +151,8 @@ def _entity_number(word: str, noun: str) -> Optional[int]:
 
 def entity(value: Any, name: str, noun: str) -> int:
     """The number of a face or an edge, or a word for it: "Face3", "edge:12"."""
+    if not isinstance(value, (str, numbers.Integral)):
+        raise TypeError(f"{name}: a number, or '{noun.capitalize()}3', is wanted, got {kind(value)}")
     if not isinstance(value, str):
         return whole(value, name, 1)
     number = _entity_number(value, noun)

@@ -305,7 +305,7 @@ class Model(_results.MadeShape):
         planes      pairs (point, normal); what is above cuts like a tool
         fuzzy       what is up to so much farther apart than the tolerance counts as one
         """
-        wanted = _checks.word(operation, "operation", ("cut", "common", "fuse", "split"))
+        wanted = _checks.word(operation, "operation", _checks.OPERATIONS)
         cutters, listed = _cutters("solid", tools, planes)
         control = _checks.control(options, _checks.not_negative(fuzzy, "fuzzy"))
         return Solid(_core.solid(wanted, self._core, cutters, listed, control))

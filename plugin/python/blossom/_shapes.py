@@ -46,7 +46,9 @@ def _core_model(shape: Any, name: str) -> _core.Model:
     exported = _exported_brep(shape, name)
     if exported is not None:
         return _core.read_bytes(exported, name)
-    raise TypeError(f"{name}: {_WANTED}, got {_checks.kind(shape)}")
+    # Which of its places is meant, only who gives it knows.
+    held = "; its Shape is one, without the places of containers" if hasattr(shape, "Shape") else ""
+    raise TypeError(f"{name}: {_WANTED}, got {_checks.kind(shape)}{held}")
 
 
 def core_of_file(path: str, name: str, strict: bool, control: _core.Control) -> _core.Model:

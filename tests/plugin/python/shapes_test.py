@@ -187,6 +187,23 @@ class FreeCADShapes(unittest.TestCase):
         with self.assertRaises((ValueError, TypeError)):
             blossom.shape(box)
 
+    def test_an_object_of_a_document_is_told_from_its_shape(self):
+        document = FreeCAD.newDocument("open")
+        box = document.addObject("Part::Box", "Box")
+        with self.assertRaisesRegex(TypeError, "^a: .*; its Shape is one, without the places"):
+            blossom.intersect(box, WALL)
+        FreeCAD.closeDocument("open")
+
+    def test_what_names_an_edge_is_told(self):
+        box = Part.makeBox(1, 2, 3)
+        with self.assertRaisesRegex(TypeError, "^edges: a number, or 'Edge3', is wanted, got Edge$"):
+            blossom.fillet(box, [box.Edges[0]], radius=0.1)
+
+    def test_shape_and_operation_in_the_wrong_order_are_told(self):
+        box = Part.makeBox(1, 2, 3)
+        with self.assertRaisesRegex(TypeError, "^operation: one of cut, common, fuse, split is wanted, got Solid$"):
+            blossom.solid(box, "cut", box)
+
     def test_vectors_are_points(self):
         box = blossom.shape(Part.makeBox(1, 2, 3))
         found = box.section(FreeCAD.Vector(0, 0, 1), FreeCAD.Vector(0, 0, 1))

@@ -134,6 +134,7 @@ TEST(Hole, OfAnOpenBoxHasNoSmoothFilling) {
   EXPECT_EQ(hole.fill.problem, FillProblem::TangentPlanes);
   EXPECT_TRUE(hole.faces.empty());
   EXPECT_NE(hole.fill.message.find("between edges"), std::string::npos) << hole.fill.message;
+  EXPECT_NE(hole.fill.message.find("G0 asks for no"), std::string::npos) << hole.fill.message;
 }
 
 TEST(Hole, IsNotTheOuterBorderOfAFace) {
