@@ -3,9 +3,11 @@
 an environment that is empty but for what installing gives; and follows its links.
 
 A block runs in the way of its language: sh, python, tcl (in DRAW), and cmake with the cpp after it.
+cpp alone is a source of the program and is compiled; text is what users write elsewhere.
 """
 
 import argparse
+import json
 import os
 import re
 import subprocess
@@ -14,7 +16,7 @@ from pathlib import Path
 
 parser = argparse.ArgumentParser()
 parser.add_argument("readme")
-for option in ("source", "version", "folder", "program", "parts", "draw", "installed"):
+for option in ("source", "version", "folder", "program", "parts", "draw", "installed", "occt"):
     parser.add_argument("--" + option, required=True)
 given = parser.parse_args()
 folder = Path(given.folder)
@@ -27,6 +29,11 @@ ELSEWHERE = {
     "sudo cmake --install build/release": "install.staged",
     "cpack --config build/release/CPackConfig.cmake": "tests/package.sh",
     f"sudo apt install ./build/release/blossom_{given.version}_amd64.deb": "tests/package.sh",
+    "cmake --build build/release --target blossom test_plugin_cli": "who adds a command",
+    "build/release/plugin/cli/blossom area build/samples/block.step": "who adds a command",
+    "build/release/tests/plugin/cli/test_plugin_cli --gtest_filter='Area*'": "who adds a command",
+    "python3 -m blossom.distributed jobs.jsonl -o results.jsonl --scheduler tcp://10.0.0.1:8786":
+        "who has a cluster; with one of its own python.distributed",
 }
 # Exit code 3 is an answer that is right within tolerances.
 SHELL = "trap 'code=$?; [ $code -eq 3 ] || exit $code' ERR\n"
@@ -61,17 +68,20 @@ def run_shell(block):
             print(f"left to {ELSEWHERE[command]}: {command}")
         else:
             lines.append(line)
-    run(["bash", "-c", SHELL + "\n".join(lines)], "\n".join(lines))
-    for file in re.findall(r"(?:-o|--json|--picture|--html|--glb) ([^ \n-]\S*)", "\n".join(lines)):
+    run(["bash", "-c", SHELL + "\n".join(lines)], "\n".join(lines), PYTHONPATH=packages())
+    for file in re.findall(r"(?:-o|--json|--picture|--html|--glb) ([^ \n'-]\S*)", "\n".join(lines)):
         claim(f"{file} was written", (folder / file).stat().st_size > 0)
+
+
+def packages():
+    return str(next(Path(given.installed).glob("lib/python3*/*-packages")))
 
 
 def run_python(block):
     if given.readme == "plugin/freecad/README.md":  # wants the window and a selection
         print("left to freecad.window")
         return
-    packages = next(Path(given.installed).glob("lib/python3*/*-packages"))
-    run([sys.executable, "-B", "-c", block], block, PYTHONPATH=str(packages))
+    run([sys.executable, "-B", "-c", block], block, PYTHONPATH=packages())
 
 
 # DRAW always exits with 0, so the last word tells.
@@ -123,6 +133,23 @@ def build_program(cmake, cpp):
     run(["cmake", "--build", "build"], cpp)
 
 
+def compile_source(block):
+    (folder / "source.cpp").write_text(block)
+    command = f"c++ -std=c++20 -fsyntax-only -I {given.source} -isystem {given.occt} source.cpp"
+    run(command.split(), "compiling it")
+
+
+# Job lists and a folder of parts, as one has who reads of them.
+def lay_out_jobs():
+    (folder / "parts").mkdir()
+    (folder / "brep").mkdir()
+    for part in ("block", "drill"):
+        (folder / "parts" / f"{part}.step").write_bytes((folder / f"{part}.step").read_bytes())
+    (folder / "jobs.jsonl").write_text(
+        json.dumps({"id": "hull", "arguments": ["info", "hull.step", "--json", "-"]}) + "\n"
+    )
+
+
 RUNNERS = {"sh": run_shell, "python": run_python, "tcl": run_in_draw}
 
 
@@ -130,6 +157,7 @@ def main():
     subprocess.run(["rm", "-rf", folder], check=True)
     folder.mkdir(parents=True)
     subprocess.run([given.parts, folder], check=True)
+    lay_out_jobs()
 
     text = (Path(given.source) / given.readme).read_text()
     blocks = re.findall(r"^```(\w*)\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
@@ -138,7 +166,9 @@ def main():
         if language == "cmake":
             cmake = block
         elif language == "cpp":
-            build_program(cmake, block)
+            build_program(cmake, block) if cmake else compile_source(block)
+        elif language == "text":
+            print("left to who writes it")
         else:
             claim(f"'{language}' is a language this test can run", language in RUNNERS)
             RUNNERS[language](block)

@@ -26,13 +26,13 @@ def claim(what, holds):
 
 
 def lines_of_readme():
+    """All that it has in Python: of objects, of meshes, of what is selected."""
     with open(os.environ["BLOSSOM_README"]) as readme:
         blocks = re.findall(r"```python\n(.*?)```", readme.read(), re.DOTALL)
-    of_objects = blocks[0]
-    claim("the README has lines for objects", "freecad.blossom" in of_objects)
     selected = [i for i, block in enumerate(blocks) if "getSelectionEx" in block]
-    claim("and for what is selected", len(selected) == 1)
-    return of_objects, "".join(blocks[selected[0] :])
+    claim("the README has lines for what is selected", selected == [2])
+    claim("and for objects", "make" in blocks[0] and "meshes" in blocks[1])
+    return blocks[0], blocks[1], "".join(blocks[2:])
 
 
 def plane_in_a_moved_part(document):
@@ -60,7 +60,7 @@ def check():
     FreeCADGui.Selection.addSelection(document.Name, part.Name, "Square.Face1")
     FreeCADGui.Selection.addSelection(document.Name, slope.Name, "Face1")
 
-    of_objects, of_selection = lines_of_readme()
+    of_objects, of_meshes, of_selection = lines_of_readme()
     names = {}
     exec(of_selection, names)
 
@@ -76,6 +76,15 @@ def check():
     claim("it is shown", document.Objects[-2].Shape.Edges[0].Length > 9.999)
     claim("and the strip, too", len(document.Objects[-1].Shape.Faces) == 1)
     check_objects(of_objects)
+    check_meshes(of_meshes)
+
+
+def check_meshes(lines):
+    names = {}
+    exec(lines, names)
+    claim("a scan is cut", abs(sum(each.Length for each in names["cut"].Shape.Edges) - 40) < 1e-9)
+    claim("and has no hole", names["whole"].Mesh.isSolid())
+    FreeCAD.closeDocument(names["document"].Name)
 
 
 def check_objects(lines):
