@@ -454,6 +454,23 @@ def reopened():
     claim("it can be edited", bored.Operation == "fuse" and "Invalid" not in bored.State)
 
 
+def without_engine():
+    """The panel tells why nothing works, and promises no program that is not there."""
+    from freecad.blossom import door
+
+    document = new_document("NoEngine")
+    document.addObject("Part::Box", "Block")
+    document.recompute()
+    usual, door.choice = door.choice, lambda: door.Choice("", "there is no package, no program", "")
+    select(document, ("Block", ""))
+    FreeCADGui.runCommand("Blossom_Check")
+    yield lambda: "engine is not here" in said()
+    words = [each.text() for each in window().findChildren(QtWidgets.QLabel) if each.isVisible()]
+    claim("no program is promised", not any("works on files" in each for each in words))
+    press("Cancel")
+    door.choice = usual
+
+
 def tour():
     FreeCADGui.activateWorkbench("BlossomWorkbench")
     claim("the workbench is there", FreeCADGui.activeWorkbench().name() == "BlossomWorkbench")
@@ -469,7 +486,7 @@ def tour():
             window().resizeDocks([dock], [330], QtCore.Qt.Horizontal)
     stations = (
         intersection, trim, fillet, chamfer, check, clash, mesh, work, many, first_steps, deleted,
-        reopened,
+        reopened, without_engine,
     )  # fmt: skip
     for station in stations:
         print(f"-- {station.__name__}", file=claims)

@@ -72,7 +72,7 @@ class Panel:
             layout.addWidget(self.extra)
         self.state = panel_parts.StateBox(self.stop)
         layout.addWidget(self.state)
-        if door.choice().kind != "module":
+        if door.choice().kind == "program":  # of none each question tells
             layout.addWidget(panel_parts.note(door.choice().reason))
         return form
 
