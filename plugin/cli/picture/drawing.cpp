@@ -90,16 +90,19 @@ LineLook look_of(LayerStyle style) {
   return {};
 }
 
-void add_outlines(Canvas& canvas, const std::vector<SceneMesh>& meshes, const View& view,
-                  double lift) {
-  for (const SceneMesh& item : meshes)
+// A face that is not filled has thick borders in its own colour.
+void add_outlines(Canvas& canvas, const Picture& picture, const std::vector<SceneMesh>& meshes,
+                  const View& view, double lift) {
+  for (const SceneMesh& item : meshes) {
+    const bool is_filled = item.mesh.obstacle.empty();
     for (const auto& [from, to] : item.mesh.border) {
       canvas.lines.push_back(
           line_of({item.mesh.points[index(from)], item.mesh.points[index(to)]}, view, lift));
-      canvas.lines.back().colour = kOutlineColour;
-      canvas.lines.back().width = kOutlineWidth * kSamples;
+      canvas.lines.back().colour = is_filled ? kOutlineColour : picture.groups[item.group].colour;
+      canvas.lines.back().width = (is_filled ? kOutlineWidth : kCurveWidth) * kSamples;
       canvas.lines.back().hidden = 0.12;
     }
+  }
 }
 
 // Marks are none of the canvas: they are drawn over everything.
@@ -124,7 +127,7 @@ Image picture_image(const Picture& picture, const std::vector<SceneMesh>& meshes
     const PictureFaces& look = picture.groups[item.group];
     add_mesh(canvas, item.mesh, look, view, depth_behind(picture, look.opacity));
   }
-  add_outlines(canvas, meshes, view, lift / 2);
+  add_outlines(canvas, picture, meshes, view, lift / 2);
   for (const PictureLayer& layer : all_layers(picture)) add_layer(canvas, layer, view, lift);
   Image image = drawn(canvas);
   annotate(picture, view, image);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -20,6 +21,7 @@
 #include <gp_Pln.hxx>
 
 #include "core/math/index.h"
+#include "plugin/cli/picture/drawing.h"
 #include "plugin/cli/picture/scene.h"
 #include "plugin/cli/picture/view.h"
 #include "tests/plugin/cli/program.h"
@@ -112,6 +114,15 @@ TEST(PictureMesh, FaceWithoutTrianglesHasItsBorderAndTheReason) {
   EXPECT_EQ(meshes[0].obstacle, "its borders cross each other");
   EXPECT_FALSE(meshes[1].triangles.empty());
   EXPECT_EQ(meshes[1].obstacle, "");
+}
+
+TEST(PictureMesh, FaceWithoutTrianglesIsOutlinedInItsColour) {
+  Picture picture;
+  picture.groups = {{{bow_tie()}, {0.9, 0.1, 0.1}}};
+  const Image image = picture_image(picture, scene_meshes(picture));
+  EXPECT_GT(std::ranges::count_if(image.pixels,
+                                  [](const Colour& c) { return c.red > 200 && c.green < 60; }),
+            2000);
 }
 
 TEST(PictureOption, SaysWhichFacesAreNotFilledAndDrawsTheOthers) {
