@@ -422,6 +422,26 @@ def deleted():
     widget(QtWidgets.QWidget, "BlossomOffset").setProperty("rawValue", 1)
     yield gone
     claim("an object may be deleted under its panel", gone())
+    yield from deleted_from_a_container()
+
+
+def deleted_from_a_container():
+    """What the object was made of is hidden, and shown again by itself, not by its container."""
+    document = FreeCAD.ActiveDocument
+    holder = document.addObject("App::Part", "Holder")
+    holder.addObject(document.Block)
+    document.recompute()
+    for end in ("Ok", "Cancel"):
+        select(document, ("Holder", "Block.Edge1"))
+        FreeCADGui.runCommand("Blossom_Fillet")
+        yield found
+        claim("what is rounded is hidden", not document.Block.Visibility)
+        press(end)
+        if end == "Ok":
+            select(document, ("Fillet", ""))
+            FreeCADGui.runCommand("Std_Delete")
+        yield SETTLED
+        claim(f"and shown again after {end}", document.Block.Visibility and holder.Visibility)
 
 
 def reopened():

@@ -12,9 +12,9 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from . import door, fields, links, panel_parts
+from . import door, fields, panel_parts
 from .feature import MENDABLE
-from .view import icon_of, paint
+from .view import icon_of, linked_leaves, paint
 
 QUIET = 200  # milliseconds without a change before a preview begins
 LOOK = 30  # milliseconds between looks whether it is done
@@ -195,7 +195,8 @@ class Panel:
         self.obj.purgeTouched()
         paint(self.obj)
         if self.feature.HIDES:
-            self._hide_links()
+            for leaf in linked_leaves(self.obj):
+                leaf.Visibility = False
         self.state.say_found(self.obj, time.monotonic() - self._began)
         if self.extra is not None:
             self.extra.update_found(answer)
@@ -225,13 +226,6 @@ class Panel:
         unused = self.feature.unused(self.obj)
         for name, field in self.fields.items():
             field.widget.setEnabled(name not in unused)
-
-    def _hide_links(self):
-        for box in self.links:
-            for target, sub in box.members:
-                leaf = links.leaf_of(target, sub)
-                if leaf is not None:
-                    leaf.Visibility = False
 
     def _close(self):
         self._delay.stop()

@@ -3,7 +3,7 @@
 
 import os
 
-from . import ICONS
+from . import ICONS, links
 from .kinds import KINDS
 
 CURVE_COLOUR = (0.80, 0.05, 0.25)
@@ -66,8 +66,9 @@ class ViewProvider:
         ]
 
     def onDelete(self, view, names):  # noqa: N802
-        for child in self.claimChildren():
-            child.Visibility = True
+        if self.Object.Proxy.HIDES:
+            for leaf in linked_leaves(self.Object):
+                leaf.Visibility = True
         return True
 
     def dumps(self):
@@ -78,6 +79,16 @@ class ViewProvider:
 
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def linked_leaves(obj):
+    """The objects that have the linked shapes themselves, below their containers."""
+    leaves = [
+        links.leaf_of(*member)
+        for link in obj.Proxy.LINKS
+        for member in links.members(getattr(obj, link.name))
+    ]
+    return [leaf for leaf in leaves if leaf is not None]
 
 
 def icon_of(name):
