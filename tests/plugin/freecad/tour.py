@@ -442,6 +442,16 @@ def deleted_from_a_container():
             FreeCADGui.runCommand("Std_Delete")
         yield SETTLED
         claim(f"and shown again after {end}", document.Block.Visibility and holder.Visibility)
+    document.addObject("Part::Box", "Other")
+    document.recompute()
+    select(document, ("Holder", "Block.Edge1"))
+    FreeCADGui.runCommand("Blossom_Fillet")
+    yield found
+    select(document, ("Other", "Edge1"))
+    widget(QtWidgets.QGroupBox, "BlossomEdges").findChild(QtWidgets.QPushButton).click()
+    yield lambda: found() and not document.Other.Visibility
+    claim("what is no longer rounded is shown", document.Block.Visibility)
+    press("Cancel")
 
 
 def reopened():

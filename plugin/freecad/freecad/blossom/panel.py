@@ -217,8 +217,13 @@ class Panel:
         return job, question
 
     def _write(self):
+        before = linked_leaves(self.obj)
         for box in self.links:
             setattr(self.obj, box.link.name, box.members)
+        if self.feature.HIDES:
+            after = linked_leaves(self.obj)
+            for leaf in before:
+                leaf.Visibility = leaf.Visibility or leaf not in after
         for name in self._typed.intersection(self.fields):  # widgets round what nobody typed
             setattr(self.obj, name, self.fields[name].read())
 
