@@ -452,6 +452,15 @@ def deleted_from_a_container():
     yield lambda: found() and not document.Other.Visibility
     claim("what is no longer rounded is shown", document.Block.Visibility)
     press("Cancel")
+    copy = document.addObject("App::Link", "Copy")
+    copy.LinkedObject, copy.Placement.Base = holder, V(20, 0, 0)
+    document.recompute()
+    select(document, ("Copy", "Block.Edge1"))
+    FreeCADGui.runCommand("Blossom_Fillet")
+    yield found
+    claim("of a link the link is hidden, not the original", not copy.Visibility and document.Block.Visibility)
+    claim("and it is where the link is", document.Objects[-1].Shape.BoundBox.XMin > 19.9)
+    press("Cancel")
 
 
 def reopened():

@@ -44,6 +44,18 @@ def leaf_of(target, sub):
     return target.getSubObject(path_of(sub), retType=1)
 
 
+def shown_by(target, sub):
+    """The object that shows a member, and nothing else where a link is on the way: the first link,
+    else the leaf; None if it is gone."""
+    here, way = target, ""
+    for name in path_of(sub).split(".")[:-1]:
+        if here is None or here.hasExtension("App::LinkBaseExtension"):
+            break
+        way += f"{name}."
+        here = target.getSubObject(way, retType=1)
+    return here
+
+
 def shape_of(target, sub, name):
     """The placed shape of a member. throws ValueError, with the property's name"""
     shape = Part.getShape(target, sub, needSubElement=True)

@@ -14,7 +14,7 @@ from PySide import QtCore, QtGui
 
 from . import door, fields, panel_parts
 from .feature import MENDABLE
-from .view import icon_of, linked_leaves, paint
+from .view import icon_of, paint, shown_parents
 
 QUIET = 200  # milliseconds without a change before a preview begins
 LOOK = 30  # milliseconds between looks whether it is done
@@ -195,8 +195,8 @@ class Panel:
         self.obj.purgeTouched()
         paint(self.obj)
         if self.feature.HIDES:
-            for leaf in linked_leaves(self.obj):
-                leaf.Visibility = False
+            for parent in shown_parents(self.obj):
+                parent.Visibility = False
         self.state.say_found(self.obj, time.monotonic() - self._began)
         if self.extra is not None:
             self.extra.update_found(answer)
@@ -217,13 +217,13 @@ class Panel:
         return job, question
 
     def _write(self):
-        before = linked_leaves(self.obj)
+        before = shown_parents(self.obj)
         for box in self.links:
             setattr(self.obj, box.link.name, box.members)
         if self.feature.HIDES:
-            after = linked_leaves(self.obj)
-            for leaf in before:
-                leaf.Visibility = leaf.Visibility or leaf not in after
+            after = shown_parents(self.obj)
+            for parent in before:
+                parent.Visibility = parent.Visibility or parent not in after
         for name in self._typed.intersection(self.fields):  # widgets round what nobody typed
             setattr(self.obj, name, self.fields[name].read())
 

@@ -67,8 +67,8 @@ class ViewProvider:
 
     def onDelete(self, view, names):  # noqa: N802
         if self.Object.Proxy.HIDES:
-            for leaf in linked_leaves(self.Object):
-                leaf.Visibility = True
+            for parent in shown_parents(self.Object):
+                parent.Visibility = True
         return True
 
     def dumps(self):
@@ -81,14 +81,14 @@ class ViewProvider:
     __setstate__ = loads
 
 
-def linked_leaves(obj):
-    """The objects that have the linked shapes themselves, below their containers."""
-    leaves = [
-        links.leaf_of(*member)
+def shown_parents(obj):
+    """The objects that show what it is made of."""
+    parents = [
+        links.shown_by(*member)
         for link in obj.Proxy.LINKS
         for member in links.members(getattr(obj, link.name))
     ]
-    return [leaf for leaf in leaves if leaf is not None]
+    return [parent for parent in parents if parent is not None]
 
 
 def icon_of(name):
