@@ -139,7 +139,7 @@ TracePoint ChainTracer::at(double station, bool after) const {
   const bool to_pole = arc.to_pole || (arc.arc.tangential && p.sine == 0);  // or to such a node
   const bool is_end = fraction <= 0 || fraction >= 1;
   const bool finite = std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second));
-  if (finite && (!is_end || (p.sine > kRoundedSine && !to_pole))) return p;
+  if (arc.arc.straight || (finite && (!is_end || (p.sine > kRoundedSine && !to_pole)))) return p;
   // At a pole a surface has no normal, at a node the two are parallel or a valley has no direction:
   // the derivatives are taken from points beside it, by quadratic extrapolation. Where contact is
   // of higher order, more of the link is too near to the node for that.
@@ -188,7 +188,7 @@ std::optional<CrossingPoint> ChainTracer::beside(double station, const SurfacePo
                                                  double settled) const {
   const int index = chain_.links[link_at(station, true)].arc;
   const FoundArc& arc = found_.arcs[static_cast<std::size_t>(index)];
-  if (arc.arc.iso >= 0 || arc.arc.tangential) return std::nullopt;
+  if (arc.arc.iso >= 0 || arc.arc.straight || arc.arc.tangential) return std::nullopt;
   const SurfaceParameters on_a(a_, arc.patch_a), on_b(b_, arc.patch_b);
   Vec3 x = start.point - origin_;
   Vec2 at_a = on_a.local(start.uv_a), at_b = on_b.local(start.uv_b);
@@ -224,8 +224,8 @@ Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
     x[i] = (1 - fraction) * arc.arc.from[i] + fraction * arc.arc.to[i];
   const auto& patch_a = a_.tree(arc.patch_a).patch();
   const auto& patch_b = b_.tree(arc.patch_b).patch();
-  if (arc.arc.iso >= 0)
-    return point_on_iso_line(patch_a, patch_b, x, arc.arc.iso, kReach).value_or(x);
+  if (arc.arc.iso >= 0 || arc.arc.straight)
+    return point_on_iso_line(patch_a, patch_b, x, std::max(arc.arc.iso, 0), kReach).value_or(x);
   if (arc.arc.tangential) {
     const auto solution =
         touch_point(patch_a, patch_b, x, touch_line(arc), arc.arc.direction, kReach);
@@ -254,28 +254,29 @@ Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
   return y;
 }
 
-// Along an iso-line everything follows from it; the parameters of the other surface are those of
-// its foot.
-TracePoint ChainTracer::differentiate_iso(const FoundArc& arc, const Point4& x,
-                                          bool forward) const {
+// Along an iso-line, or another straight line in the parameters of one surface, everything follows
+// from it; the parameters of the other surface are those of its foot.
+TracePoint ChainTracer::differentiate_straight(const FoundArc& arc, const Point4& x,
+                                               bool forward) const {
   const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
   const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), x[2], x[3], 2);
   const bool on_a = arc.arc.iso < 2;
   const PatchJet &own = on_a ? p : q, &other = on_a ? q : p;
-  const int along = 1 - arc.arc.iso % 2;
-  const Vec3 &d = along == 0 ? own.u : own.v, &dd = along == 0 ? own.uu : own.vv;
-  const auto k = static_cast<std::size_t>(arc.arc.iso ^ 1);
+  Vec2 run;
+  for (int k = 0; k < 2; ++k) {
+    const auto i = static_cast<std::size_t>(on_a ? k : k + 2);
+    if (arc.arc.iso != static_cast<int>(i)) run[k] = arc.arc.to[i] - arc.arc.from[i];
+  }
   // By arc length: r' = +-1 / |d|, r'' = -(d . dd) / |d|^4.
+  const Vec3 d = own.u * run[0] + own.v * run[1], dd = second_form(own, run);
   const double square = dot(d, d);
-  const double sign = (arc.arc.to[k] > arc.arc.from[k]) == forward ? 1 : -1;
-  Vec2 rate, second;
-  rate[along] = sign / std::sqrt(square);
-  second[along] = -dot(d, dd) / (square * square);
+  const Vec2 rate = run * ((forward ? 1 : -1) / std::sqrt(square));
+  const Vec2 second = run * (-dot(d, dd) / (square * square));
   TracePoint result;
   result.point = own.point + origin_;
-  result.first = d * rate[along];
-  result.second = dd * (rate[along] * rate[along]) + d * second[along];
-  if (arc.arc.tangential)
+  result.first = d * ((forward ? 1 : -1) / std::sqrt(square));
+  result.second = dd * (1 / square) + d * (-dot(d, dd) / (square * square));
+  if (arc.arc.tangential || arc.arc.straight)
     result.sine = is_pole(other) ? 0 : 1;
   else
     result.sine = norm(cross(unit(cross(p.u, p.v)), unit(cross(q.u, q.v))));
@@ -332,7 +333,7 @@ TracePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
   result.second = result.second - here.tangent * dot(result.second, here.tangent);
   const bool at_pole =
       is_pole(jet_at(patch_a, x[0], x[1], 1)) || is_pole(jet_at(patch_b, x[2], x[3], 1));
-  // In a node of the third order no direction is the valley's more than another.
+  // In a node of a high order no direction is the valley's more than another.
   const bool at_node = here.size <= kNoValley * std::max(r0.size, r1.size);
   result.sine = at_pole || at_node ? 0 : 1;
   to_own(a_.surface(), a_.knots_u(arc.patch_a), a_.knots_v(arc.patch_a), x[0], x[1], here.a,
@@ -343,7 +344,7 @@ TracePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
 }
 
 TracePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool forward) const {
-  if (arc.arc.iso >= 0) return differentiate_iso(arc, x, forward);
+  if (arc.arc.iso >= 0 || arc.arc.straight) return differentiate_straight(arc, x, forward);
   if (arc.arc.tangential) return differentiate_valley(arc, x, forward);
   const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
   const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), x[2], x[3], 2);

@@ -61,7 +61,7 @@ class ChainTracer {
   TracePoint on_link(std::size_t link, double fraction) const;
   Point4 parameters_on(const FoundArc& arc, double fraction) const;
   TracePoint differentiate(const FoundArc& arc, const Point4& x, bool forward) const;
-  TracePoint differentiate_iso(const FoundArc& arc, const Point4& x, bool forward) const;
+  TracePoint differentiate_straight(const FoundArc& arc, const Point4& x, bool forward) const;
   TracePoint differentiate_valley(const FoundArc& arc, const Point4& x, bool forward) const;
 
   const PairSearchResult& found_;

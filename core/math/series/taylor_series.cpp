@@ -361,6 +361,20 @@ TaylorPolynomial turned(const TaylorPolynomial& p, const Vec2& s_axis, const Vec
   return result;
 }
 
+// By repeated Horner's scheme, along x and then along y.
+TaylorPolynomial moved(const TaylorPolynomial& p, const Vec2& by) {
+  TaylorPolynomial result = p;
+  for (int j = 0; j < K; ++j)
+    for (int k = 0; k < K - j; ++k)
+      for (int i = K - j - 1; i >= k; --i)
+        result[taylor_index(i, j)] += by[0] * result[taylor_index(i + 1, j)];
+  for (int i = 0; i < K; ++i)
+    for (int k = 0; k < K - i; ++k)
+      for (int j = K - i - 1; j >= k; --j)
+        result[taylor_index(i, j)] += by[1] * result[taylor_index(i, j + 1)];
+  return result;
+}
+
 // With s = 1 the terms of all total degrees fall together.
 Polynomial along_line(const TaylorPolynomial& p, const Vec2& begin, const Vec2& step) {
   static_assert(kPolynomialDegree == K);

@@ -81,6 +81,9 @@ TaylorPolynomial derivative_y(const TaylorPolynomial& p);
 /// p(x, y) with (x, y) = s s_axis + t t_axis, as a polynomial in s, t.
 TaylorPolynomial turned(const TaylorPolynomial& p, const Vec2& s_axis, const Vec2& t_axis);
 
+/// p(x + by[0], y + by[1]), as a polynomial in x, y.
+TaylorPolynomial moved(const TaylorPolynomial& p, const Vec2& by);
+
 /// p(x, y) with (x, y) = begin + t step, as a polynomial in t.
 Polynomial along_line(const TaylorPolynomial& p, const Vec2& begin, const Vec2& step);
 

@@ -46,7 +46,7 @@ std::optional<IntersectionCurve> fitted_chain(const FitContext& context, const C
               .most = std::max(kWorst * tolerance, kWorstOfSize * context.size),
               .work = &context.limit});
   curve.tangential = tangential;
-  if (tangential) curve.least_angle = 0;
+  if (tangential || any_arc(context.found, chain, &CellArc::straight)) curve.least_angle = 0;
   return curve;
 }
 

@@ -200,8 +200,8 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
     std::vector<ContactArm> arms;
     for (const auto& side : contact.arms)
       for (const ArcEnd end : side) arms.push_back(arm_of(found, a, b, end, contact.centre));
-    const bool joins = arms.size() == 2 && !contact.third_order;
-    contact.parted = contact.third_order && !are_alike(contact, found);
+    const bool joins = arms.size() == 2 && !contact.high_order;
+    contact.parted = contact.high_order && !are_alike(contact, found);
     if (joins && jumps(arms[0].end, arms[1].end, a, b)) {
       meet_apart(contact, {contact.centre, {}}, a, b, found);
       continue;
@@ -214,8 +214,9 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
       contact.centre.x = meeting_point(patch_a, patch_b, {arms[0], arms[1]}, contact.centre.x);
     for (auto& side : contact.arms)
       for (ArcEnd& end : side) {
-        end = joins ? reach_contact(found, a, b, end, contact.centre)
-                    : at_node(contact, end, a, b, found);
+        end = joins                ? reach_contact(found, a, b, end, contact.centre)
+              : contact.high_order ? reach_straight(found, a, b, end, contact.centre, tolerance)
+                                   : at_node(contact, end, a, b, found);
         const Vec3 p = point_of(found, a, end);  // what lies between is the contact's
         contact.box = joined(contact.box, {p, p});
       }

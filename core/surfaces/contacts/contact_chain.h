@@ -38,21 +38,21 @@ struct ContactChain {
   std::array<std::vector<ArcEnd>, 2> arms;  ///< branches that begin at either end of it
   std::array<bool, 2> leaves{};  ///< by end: on its cell's border, without a contact beyond
   bool closed = false;
-  bool curve = false;     ///< a tangential curve; else a point: a touch, a node, a fold or a cusp
-  bool pole = false;      ///< a point that one of the surfaces has under many parameters
-  bool parted = false;    ///< its two arms do not go on into each other, at a pole perhaps
-  bool straight = false;  ///< its two arms go straight on into each other
-  bool passed = false;    ///< likewise, and they are tangential curves
-  bool third_order = false;  ///< a node in which the surfaces agree up to the second order
-  bool regular = false;      ///< a point in which the surfaces cross, see crosses_regularly
-  ContactPoint centre;       ///< of a point
-  double length = 0;         ///< model units
-  Box box;                   ///< of the path, relative to the origin
+  bool curve = false;       ///< a tangential curve; else a point: a touch, a node, a fold or a cusp
+  bool pole = false;        ///< a point that one of the surfaces has under many parameters
+  bool parted = false;      ///< its two arms do not go on into each other, at a pole perhaps
+  bool straight = false;    ///< its two arms go straight on into each other
+  bool passed = false;      ///< likewise, and they are tangential curves
+  bool high_order = false;  ///< a node in which the surfaces agree up to the second order or more
+  bool regular = false;     ///< a point in which the surfaces cross, see crosses_regularly
+  ContactPoint centre;      ///< of a point
+  double length = 0;        ///< model units
+  Box box;                  ///< of the path, relative to the origin
 
   std::size_t arm_count() const { return arms[0].size() + arms[1].size(); }
 
-  /// Near a border a node of the third order may have but two arms.
-  bool is_node() const { return arm_count() > 2 || (third_order && parted); }
+  /// Near a border a node of a high order may have but two arms.
+  bool is_node() const { return arm_count() > 2 || (high_order && parted); }
 };
 
 }  // namespace blossom

@@ -8,9 +8,9 @@
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_extent.h"
 #include "core/surfaces/contacts/contact_reach.h"
+#include "core/surfaces/contacts/high_order_nodes.h"
 #include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/contacts/near_misses.h"
-#include "core/surfaces/contacts/third_order_nodes.h"
 #include "core/surfaces/gap/contact_points.h"
 #include "core/surfaces/pairs/regular_contact.h"
 
@@ -61,11 +61,11 @@ class Joiner {
     extent.measure_across(chains, clusters_from);
     merge_points(chains);
     absorb_points(chains);
-    gather_at_third_order_nodes(chains, clusters, found_, a_, b_, size_, tolerance_);
+    gather_at_high_order_nodes(chains, clusters, found_, a_, b_, size_, tolerance_);
     for (ContactChain& chain : chains) {
       if (chain.curve)
         add_arcs(chain);
-      else if (!chain.third_order)
+      else if (!chain.high_order)
         chain.centre = centre_of(chain);
     }
     add_tangential_arms(chains);
@@ -433,10 +433,10 @@ class Joiner {
       }
   }
 
-  // Tangential curves that were led to a third-order node begin there.
+  // Tangential curves that were led to a node of high order begin there.
   void add_tangential_arms(std::vector<ContactChain>& chains) const {
     for (ContactChain& chain : chains) {
-      if (!chain.third_order) continue;
+      if (!chain.high_order) continue;
       for (ArcEnd end = 0; end < 2 * found_.arcs.size(); ++end) {
         const FoundArc& arc = found_.arcs[end / 2];
         const ContactPoint& node = chain.centre;

@@ -18,6 +18,8 @@ constexpr double kPoleWidth = 16;
 
 // A border of a patch is one point if its derivative is no more than this part of the tolerance.
 constexpr double kPoleRow = 1e-3;
+constexpr double kWayReach = 0.5;  // of a patch: how far a foot may lie from where it is sought
+constexpr std::size_t kMostPatches = 16;     // between the border of a region and its middle
 constexpr std::array kAlong{0.0, 0.5, 1.0};  // where its derivative is looked at
 
 // The point nearest to x, in space, on the lines along which the surfaces touch and cross.
@@ -234,6 +236,82 @@ ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const Surfa
   found.joins.push_back({end, 2 * found.arcs.size()});
   found.arcs.push_back(link);
   return 2 * found.arcs.size() - 1;
+}
+
+namespace {
+
+// The patches beyond the border through which a straight way leaves the present ones, with the
+// point of that border; the goal if it is in the present ones.
+struct StraightStep {
+  Point4 x;                          // in the present patches
+  std::optional<ContactPoint> next;  // the same in the next ones, nothing at the goal
+};
+
+std::optional<StraightStep> step_towards(const SurfaceCells& a, const SurfaceCells& b,
+                                         const ContactPoint& from, const ContactPoint& to) {
+  const Point4 goal = in_patches(a, b, to.patch_a, to.patch_b, to.x, from);
+  double t = 1;
+  std::size_t axis = 4;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double border = goal[k] > 1 + kOnBorder ? 1 : goal[k] < -kOnBorder ? 0 : goal[k];
+    const double at = border == goal[k] ? 1 : (border - from.x[k]) / (goal[k] - from.x[k]);
+    if (at < t) {
+      t = std::max(at, 0.0);
+      axis = k;
+    }
+  }
+  StraightStep step;
+  for (std::size_t k = 0; k < 4; ++k)
+    step.x[k] = std::clamp((1 - t) * from.x[k] + t * goal[k], 0.0, 1.0);
+  if (axis == 4) return step;
+  auto spans = spans_of(a, b, from.patch_a, from.patch_b);
+  const auto period = periods_of(a, b);
+  const int count[]{a.surface().patches.rows(), a.surface().patches.columns(),
+                    b.surface().patches.rows(), b.surface().patches.columns()};
+  spans[axis] += goal[axis] > 1 ? 1 : -1;
+  if (period[axis] > 0) spans[axis] = (spans[axis] + period[axis]) % period[axis];
+  if (spans[axis] < 0 || spans[axis] >= count[axis]) return std::nullopt;
+  step.next = ContactPoint{spans[0] * count[1] + spans[1], spans[2] * count[3] + spans[3], step.x};
+  step.next->x[axis] = goal[axis] > 1 ? 0 : 1;
+  return step;
+}
+
+// True if the surfaces meet, but for rounding, on the straight way in their patches.
+bool meet_along(SurfaceCells& a, SurfaceCells& b, const FoundArc& way, double tolerance) {
+  const auto &patch_a = a.tree(way.patch_a).patch(), &patch_b = b.tree(way.patch_b).patch();
+  for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    Point4 x;
+    for (std::size_t k = 0; k < 4; ++k) x[k] = (1 - t) * way.arc.from[k] + t * way.arc.to[k];
+    const auto foot = foot_point(patch_a, patch_b, x, kWayReach);
+    if (!foot || std::abs(signed_gap(patch_a, patch_b, *foot)) > kRoundingGap * tolerance)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+ArcEnd reach_straight(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, ArcEnd end,
+                      const ContactPoint& to, double tolerance) {
+  const FoundArc& arm = found.arcs[end / 2];
+  std::vector<FoundArc> ways;
+  for (std::optional<ContactPoint> at = ContactPoint{arm.patch_a, arm.patch_b, end_of(found, end)};
+       at;) {
+    const auto step = step_towards(a, b, *at, to);
+    if (!step || ways.size() == kMostPatches) return end;
+    FoundArc way{at->patch_a, at->patch_b, kNoBox, {at->x, step->x}, {-1, -1}};
+    for (std::size_t k = 0; k < 4; ++k) way.arc.direction[k] = step->x[k] - at->x[k];
+    way.arc.straight = true;
+    if (!meet_along(a, b, way, tolerance)) return end;
+    if (apart(at->x, step->x) > kOnBorder) ways.push_back(way);
+    at = step->next;
+  }
+  for (const FoundArc& way : ways) {
+    found.joins.push_back({end, 2 * found.arcs.size()});
+    found.arcs.push_back(way);
+    end = 2 * found.arcs.size() - 1;
+  }
+  return end;
 }
 
 std::optional<Pole> pole_near(SurfaceCells& a, SurfaceCells& b, const ContactPoint& contact,

@@ -45,6 +45,14 @@ ContactArm arm_of(const PairSearchResult& found, const SurfaceCells& a, const Su
 ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
                      ArcEnd end, const ContactPoint& to);
 
+/// The same from the border of a region in which the surfaces stay in contact: by straight arcs in
+/// the parameters of a, through all patches between. Where the surfaces leave each other by more
+/// than rounding on the way, the arm ends on the border, and its end is returned as it is.
+///
+/// tolerance   model units
+ArcEnd reach_straight(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, ArcEnd end,
+                      const ContactPoint& to, double tolerance);
+
 /// A point that a surface has under all values of one of its parameters.
 struct Pole {
   ContactPoint point;

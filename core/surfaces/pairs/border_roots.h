@@ -27,7 +27,8 @@ struct CellArc {
   bool runs_along_border = false;  ///< it runs along the border of the pair
   bool tangential = false;         ///< the surfaces touch along it
   bool crosses = false;            ///< likewise, and they cross there: contact of odd order
-  int iso = -1;  ///< the parameter on whose iso-line it runs from end to end; or -1
+  bool straight = false;  ///< a straight line in the parameters of a, in contact all the way
+  int iso = -1;           ///< the parameter on whose iso-line it runs from end to end; or -1
   /// The parameter along whose border of the pair it runs, if a neighbour may hold it, too; or -1.
   int shared_border = -1;
   bool upper = false;  ///< that border is the upper one

@@ -16,6 +16,12 @@ namespace blossom {
 /// The tolerances of further attempts, as parts of the first one.
 inline constexpr std::array kFinerTolerances{0.1, 0.01};
 
+/// True if a branch ends beside a node that is listed for it: the surfaces only nearly touch there,
+/// and at a finer tolerance the branches may pass each other.
+///
+/// tolerance   model units
+bool passes_node(const SurfaceIntersection& found, double tolerance);
+
 /// False if no answer at the finer tolerance can decide what a search left open: something
 /// overlaps; a place that is neither open nor a touch holds a near miss, which the finer search
 /// cannot see; or there are only touches whose surfaces stay within the finer tolerance.

@@ -87,6 +87,14 @@ TEST_P(TaylorSeriesProperty, IsTurnedAndTakenAlongLinesExactly) {
   for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(turned_p[i], composed.terms[i], 1e-12);
 }
 
+TEST_P(TaylorSeriesProperty, IsMovedExactly) {
+  Random random = seeded(GetParam());
+  const TaylorPolynomial p = random_polynomial(random, kTaylorDegree, 1);
+  const Vec2 by{uniform(random, -1, 1), uniform(random, -1, 1)};
+  const Vec2 at{uniform(random, -1, 1), uniform(random, -1, 1)};
+  EXPECT_NEAR(value(moved(p, by), at[0], at[1]), value(p, at[0] + by[0], at[1] + by[1]), 1e-11);
+}
+
 // Coefficients small enough that |x|, |y| <= 1, without those below total degree `lowest`.
 TaylorPolynomial small_polynomial(Random& random, int lowest) {
   TaylorPolynomial p = random_polynomial(random, kTaylorDegree, 0.03);
