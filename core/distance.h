@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/status.h"
@@ -43,12 +44,21 @@ struct HullBound {
   double border_gap = 0;
 };
 
+/// Curves on the surfaces of a part along the border that its trims leave.
+struct BorderCurves {
+  std::vector<RationalBezierCurve> curves;
+  double gap = 0;  ///< how far the border may be from them, model units
+};
+
 /// A set of which only hulls are there at first: a part is made when a question comes near it.
 struct OperandParts {
   std::vector<Vec3> points;                       ///< need no making
   std::vector<HullBound> hulls;                   ///< one for each part
   std::function<DistanceOperand(int part)> make;  ///< once at most for each, from any thread
   TrimFilter trims{};  ///< takes the part for the surface; a part has one surface at most
+  /// Asked where a border gap matters, once at most for each part; empty, or returns nothing, where
+  /// the border is not known any better.
+  std::function<std::optional<BorderCurves>(int part)> borders{};
 };
 
 /// A surface with its borders and corners.
@@ -149,7 +159,8 @@ DistanceResult least_distance(const DistanceOperand& a, const DistanceOperand& b
 
 /// How far a set goes along an axis, or backwards: then the largest of -x, -y or -z. The curves of
 /// the set count as the borders of its surfaces. Where they are farther off than what need not be
-/// told apart, some corners of cells are asked for, too; the upper bound allows for the gap.
+/// told apart, `OperandParts::borders` are looked at; without these some corners of cells are asked
+/// for, and the upper bound allows for the gap.
 ///
 /// known     what goes no farther than this is not looked at; minus infinity: everything is
 /// options   `enough` does not count

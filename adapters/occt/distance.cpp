@@ -28,6 +28,7 @@
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection.h"
 #include "core/base/errors.h"
+#include "core/topology/border_curves.h"
 #include "core/topology/chart_region.h"
 
 namespace blossom::occt {
@@ -43,8 +44,13 @@ constexpr double kNearCrossing = 4;
 // is inside.
 class MeasuredFace {
  public:
-  TrimSide side(const std::function<TopoDS_Face()>& face, const Vec2& low, const Vec2& high) {
+  const FaceTrims& trims(const std::function<TopoDS_Face()>& face) {
     std::call_once(once_, [&] { trims_ = std::make_unique<FaceTrims>(face_trims(face())); });
+    return *trims_;
+  }
+
+  TrimSide side(const std::function<TopoDS_Face()>& face, const Vec2& low, const Vec2& high) {
+    trims(face);
     if (asked_.fetch_add(1) < kFewQuestions)
       switch (part_side(*trims_, {low[0], high[0]}, {low[1], high[1]})) {
         case PartSide::Inside: return TrimSide::Inside;
@@ -108,6 +114,7 @@ struct MeasuredShape::Impl {
     parts.trims = [this](int face, const Vec2& low, const Vec2& high) {
       return guarded("following the trims of a face", [&] { return side(face, low, high); });
     };
+    parts.borders = [this](int part) { return border_of(part); };
     prepared.emplace(std::move(parts));
   }
 
@@ -230,6 +237,19 @@ struct MeasuredShape::Impl {
       }
       of.spans = std::move(spans);
       return set;
+    });
+  }
+
+  // The border of a face as its trims have it, which its edges may be far from.
+  std::optional<BorderCurves> border_of(int part) {
+    if (!is_face(part)) return std::nullopt;
+    return guarded("following the border of a face", [&]() -> std::optional<BorderCurves> {
+      const FaceTrims& trims =
+          faces[static_cast<std::size_t>(part)].trims([&] { return face(part); });
+      auto curves = border_curves(trims, prepared->part(part).surfaces.front());
+      if (!curves) return std::nullopt;
+      // Chart coordinates are lengths but for a factor of less than two.
+      return BorderCurves{std::move(*curves), 2 * trims.largest_gap};
     });
   }
 

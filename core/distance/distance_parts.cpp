@@ -213,7 +213,8 @@ DistanceParts::DistanceParts(DistanceOperand set) : set_(std::move(set)) {
 DistanceParts::DistanceParts(OperandParts parts)
     : hulls_(std::move(parts.hulls)),
       set_{std::move(parts.points), {}, {}, std::move(parts.trims)},
-      make_(std::move(parts.make)) {
+      make_(std::move(parts.make)),
+      borders_(std::move(parts.borders)) {
   const std::size_t points = set_.points.size();
   parts_ = std::vector<Part>(points + hulls_.size());
   for (std::size_t i = 0; i < hulls_.size(); ++i) {
@@ -294,6 +295,19 @@ std::unique_ptr<DistanceParts::Made> DistanceParts::make(int part) const {
   for (const DistanceItem& item : made->items) boxes.push_back(item.box);
   made->tree = BoxTree(boxes);
   return made;
+}
+
+const DistanceParts::Border& DistanceParts::border(int part) const {
+  Part& found = parts_[static_cast<std::size_t>(part)];
+  std::call_once(found.border_once, [&] {
+    if (!borders_ || is_point(part)) return;
+    const auto known = borders_(part - points());
+    if (!known) return;
+    const DistanceOperand set{{}, known->curves, {}};
+    for (std::size_t i = 0; i < set.curves.size(); ++i) add_curve(set, i, found.border.items);
+    found.border.gap = known->gap;
+  });
+  return found.border;
 }
 
 const DistanceOperand& DistanceParts::own_set(int part) const { return made(part + points()).own; }

@@ -58,6 +58,12 @@ class DistanceParts {
                ? 0
                : hulls_[static_cast<std::size_t>(part - points())].border_gap;
   }
+  struct Border {
+    std::vector<DistanceItem> items;  ///< curves; empty if the border is not known any better
+    double gap = 0;                   ///< how far it may be from them
+  };
+  /// Made when it is asked for first.
+  const Border& border(int part) const;
   /// Largest absolute coordinate of a box.
   double scale() const { return scale_; }
   /// The first parts are the points that were there from the beginning.
@@ -90,6 +96,8 @@ class DistanceParts {
     Box box;
     std::once_flag once{};
     std::unique_ptr<Made> made{};
+    std::once_flag border_once{};
+    Border border{};
   };
 
   const Made& made(int part) const;
@@ -99,6 +107,7 @@ class DistanceParts {
   std::vector<HullBound> hulls_;  // of the parts behind the points
   DistanceOperand set_;           // all of it, or the points and trims of a set in parts
   std::function<DistanceOperand(int)> make_;
+  std::function<std::optional<BorderCurves>(int)> borders_;
   mutable std::vector<Part> parts_;  // behind the points: curves and surfaces, or parts
   Box bounds_;
   double scale_ = 0;

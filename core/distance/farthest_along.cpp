@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/base/errors.h"
@@ -31,8 +32,9 @@ struct HeightPlace {
   double upper = 0;  // it goes no farther
   int part = 0;
   int item = -1;
-  int depth = -1;       // halvings; while there is no net, -1
-  bool inside = false;  // of the trims
+  bool on_border = false;  // the item is a curve of the part's border
+  int depth = -1;          // halvings; while there is no net, -1
+  bool inside = false;     // of the trims
   bool split_u = true;
   HeightNet net{};
   Interval u{0, 1}, v{0, 1};
@@ -84,7 +86,9 @@ class HeightSearch {
 
  private:
   const DistanceItem& item(const HeightPlace& place) const {
-    return parts_.items(place.part)[static_cast<std::size_t>(place.item)];
+    const auto& items =
+        place.on_border ? parts_.border(place.part).items : parts_.items(place.part);
+    return items[static_cast<std::size_t>(place.item)];
   }
   bool is_settled(double upper) const { return upper <= result_.lower + floor_; }
   void reach(double height) { result_.lower = std::max(result_.lower, height); }
@@ -108,12 +112,16 @@ class HeightSearch {
     open_cell(place);
   }
 
-  void open_part(const HeightPlace& part) {
-    const std::vector<DistanceItem>& items = parts_.items(part.part);
+  void open_part(const HeightPlace& part) { push_items(part.part, parts_.items(part.part), false); }
+
+  void push_items(int part, const std::vector<DistanceItem>& items, bool on_border) {
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
       const Box& box = items[static_cast<std::size_t>(i)].box;
       const double height = sign_ > 0 ? box.high[axis_] : -box.low[axis_];
-      push({.upper = height + kDistanceRounding * parts_.scale(), .part = part.part, .item = i});
+      push({.upper = height + kDistanceRounding * parts_.scale(),
+            .part = part,
+            .item = i,
+            .on_border = on_border});
     }
   }
 
@@ -139,13 +147,33 @@ class HeightSearch {
     push(cell);
   }
 
-  // It goes farthest on a border, which may be farther than the curves that stand for it.
+  // It goes farthest on a border, which may be farther than the curves that stand for it. A curve
+  // of the border itself goes farthest at an end.
   void leave_to_border(const HeightPlace& cell, double upper) {
-    const double gap = parts_.border_gap(cell.part);
-    if (gap > floor_ && !is_settled(upper)) reach_corner(cell);
-    border_upper_ = std::max(border_upper_, upper);
+    double gap = parts_.border_gap(cell.part);
+    if (cell.on_border) gap = 0;
+    if (gap > floor_ && !is_settled(upper)) {
+      if (open_border(cell.part))
+        gap = parts_.border(cell.part).gap;
+      else
+        reach_corner(cell);
+    }
+    if (!cell.on_border) border_upper_ = std::max(border_upper_, upper);
     border_gap_ = std::max(border_gap_, gap);
     drop(cell);
+  }
+
+  // False if the border is not known any better than the curves of the set.
+  bool open_border(int part) {
+    const std::vector<DistanceItem>& items = parts_.border(part).items;
+    if (items.empty()) return false;
+    opened_.resize(static_cast<std::size_t>(parts_.size()));
+    if (std::exchange(opened_[static_cast<std::size_t>(part)], char{1})) return true;
+    for (const DistanceItem& item : items)
+      for (const int row : {0, item.patch.points.rows() - 1})
+        reach(sign_ * projected(item.patch.points(row, 0))[axis_]);
+    push_items(part, items, true);
+    return true;
   }
 
   std::array<bool, 2> across(const HeightPlace& place) const {
@@ -203,6 +231,7 @@ class HeightSearch {
   // What was left to curves goes no farther, nor farther than they do by more than the gap.
   double border_upper_ = -std::numeric_limits<double>::infinity();
   double border_gap_ = 0;
+  std::vector<char> opened_;       // by part: its border is looked at
   std::vector<HeightPlace> open_;  // a heap
   HeightCells cells_;
 };

@@ -111,7 +111,7 @@ TEST(FarthestAlong, LeavesOutWhatTrimsDo) {
 TEST(FarthestAlong, AllowsForBordersThatAreOffTheirCurves) {
   Grid<double> heights(2, 2, 0);
   heights(1, 0) = heights(1, 1) = 1;
-  const auto found_with = [&](double gap) {
+  const auto found_with = [&](double gap, bool known = false) {
     OperandParts parts;
     parts.points = {{0.99, 0, 0.99}, {0.99, 1, 0.99}};
     parts.hulls = {{.points = {{0, 0, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}}, .border_gap = gap}};
@@ -119,6 +119,10 @@ TEST(FarthestAlong, AllowsForBordersThatAreOffTheirCurves) {
     parts.trims = [](int, const Vec2&, const Vec2& high) {
       return high[0] < 0.995 ? TrimSide::Inside : TrimSide::Outside;
     };
+    if (known)
+      parts.borders = [](int) {
+        return BorderCurves{{{{{0.995, 0, 0.995, 1}, {0.995, 1, 0.995, 1}}}}, 0};
+      };
     return farthest_along(PreparedSet(std::move(parts)), 2, false, kUnknown, {.resolution = 1e-6});
   };
   const FarthestResult tight = found_with(0);
@@ -127,6 +131,9 @@ TEST(FarthestAlong, AllowsForBordersThatAreOffTheirCurves) {
   const FarthestResult loose = found_with(0.008);
   EXPECT_GE(loose.upper, 0.995);
   EXPECT_LE(loose.upper, 0.998 + 1e-12);
+  const FarthestResult known = found_with(0.008, true);
+  EXPECT_EQ(known.lower, 0.995);
+  EXPECT_LE(known.upper, 0.995 + 1e-6);
 }
 
 TEST(FarthestAlong, LooksAtNothingThatIsNoFartherThanWhatIsKnown) {
