@@ -35,7 +35,7 @@ class BlossomDraw {
     if (added) return;
     added = true;
     add<kBlinfo, kBlintersect, kBltrim, kBlsolid, kBlsection, kBldistance, kBlmass, kBlcheck,
-        kBlsubdivide, kBlfillet, kBlchamfer, kBlblend, kBlfill, kBlclash>(interpreter);
+        kBlsubdivide, kBlfillet, kBlchamfer, kBlblend, kBlfill, kBlclash, kBlsew>(interpreter);
   }
 };
 

@@ -130,7 +130,8 @@ void sew(const std::filesystem::path& file, occt::Model& model, Input& input) {
       "sewing the loose faces", [&] { input.sewing = model.sew(within, stop_if_interrupted); });
   if (!done) input.sewing.failed = "Open CASCADE's sewing of them crashes or never ends";
   if (!first) return;
-  for (const std::string& line : reports::words_of(input.sewing)) note(file.string() + ": " + line);
+  for (const std::string& line : reports::words_of(input.sewing, "--sew-gap"))
+    note(file.string() + ": " + line);
 }
 
 void tell(const occt::Repairs& repairs, const std::filesystem::path& file) {

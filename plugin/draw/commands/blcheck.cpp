@@ -12,7 +12,7 @@ namespace {
 
 std::string answer_to_blcheck(const Words& words) {
   require(words.size() == 1);
-  const occt::Soundness found = occt::soundness(shape_named(words[0]));
+  const occt::Soundness found = occt::soundness(sewn_shape(words[0]));
   std::string list;
   std::size_t count = 0;
   const auto add = [&](const std::string& what) {

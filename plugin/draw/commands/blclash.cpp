@@ -37,7 +37,7 @@ std::string clash_answer(const Words& words) {
   found.clearance = clearance;
   std::vector<TopoDS_Shape> shapes;
   for (std::size_t i = 2; i < words.size(); ++i) {
-    shapes.push_back(shape_named(words[i]));
+    shapes.push_back(sewn_shape(words[i]));
     found.parts.emplace_back().name = words[i];
   }
 

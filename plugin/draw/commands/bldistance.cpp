@@ -12,7 +12,7 @@ namespace {
 
 std::string answer_to_bldistance(const Words& words) {
   require(words.size() == 2);
-  const occt::MeasuredShape a(shape_named(words[0])), b(shape_named(words[1]));
+  const occt::MeasuredShape a(sewn_shape(words[0])), b(sewn_shape(words[1]));
   const occt::ShapeDistance found = occt::least_distance(a, b);
   return tcl_number(found.lower) + " " + tcl_number(found.upper) + " " + tcl_list(found.a.point) +
          " " + tcl_list(found.b.point);

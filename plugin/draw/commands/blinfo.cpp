@@ -39,7 +39,7 @@ std::string counts_list(const std::map<std::string, int>& counts) {
 // How many of each kind, what the surfaces are, and how faces meet in edges.
 std::string answer_to_blinfo(const Words& words) {
   require(words.size() == 1);
-  const TopoDS_Shape shape = shape_named(words[0]);
+  const TopoDS_Shape shape = sewn_shape(words[0]);
   std::string list;
   for (const auto& [kind, word] : kCounted) {
     TopTools_IndexedMapOfShape all;

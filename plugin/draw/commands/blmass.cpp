@@ -16,7 +16,7 @@ std::string answer_to_blmass(const Words& words) {
   occt::Mass solids;
   solids.is_solid = true;
   double area = 0;
-  for (const occt::Body& body : occt::bodies_of(shape_named(words[0]))) {
+  for (const occt::Body& body : occt::bodies_of(sewn_shape(words[0]))) {
     const occt::Mass mass = occt::mass_of(body.shape);
     area += mass.area;
     if (mass.is_solid) solids += mass;

@@ -15,7 +15,7 @@ namespace {
 std::string answer_to_blsection(const Words& words) {
   require(words.size() == 8);
   const occt::Plane plane{vector_from(words, 2), vector_from(words, 5)};
-  const TopoDS_Shape shape = shape_named(words[1]);
+  const TopoDS_Shape shape = sewn_shape(words[1]);
   const occt::PlaneSection section = occt::plane_section(faces_in(shape, words[1]), plane);
   DBRep::Set(words[0].c_str(), occt::compound_of(section));
   std::string list = std::to_string(section.wires.size()) + " " + to_string(section.status);

@@ -39,7 +39,7 @@ occt::TrimOptions options_of(const std::string& word) {
 
 std::string answer_to_bltrim(const Words& words) {
   require(words.size() >= 4);
-  const TopoDS_Shape part = shape_named(words[1]);
+  const TopoDS_Shape part = sewn_shape(words[1]);
   faces_in(part, words[1]);
   std::vector<occt::TrimTool> tools;
   for (std::size_t i = 3; i < words.size(); ++i) tools.push_back(tool_named(words[i]));

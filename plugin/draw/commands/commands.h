@@ -18,6 +18,6 @@ struct Command {
 };
 
 extern const Command kBlinfo, kBlintersect, kBltrim, kBlsolid, kBlsection, kBldistance, kBlmass,
-    kBlcheck, kBlsubdivide, kBlfillet, kBlchamfer, kBlblend, kBlfill, kBlclash;
+    kBlcheck, kBlsubdivide, kBlfillet, kBlchamfer, kBlblend, kBlfill, kBlclash, kBlsew;
 
 }  // namespace blossom::draw

@@ -37,7 +37,7 @@ reports::EdgeChoice edges_of(const TopoDS_Shape& shape, const Words& words, std:
 
 std::string blended_edges(const Words& words, occt::FilletOptions options) {
   require(words.size() >= 4);
-  const TopoDS_Shape shape = shape_named(words[1]);
+  const TopoDS_Shape shape = sewn_shape(words[1]);
   faces_in(shape, words[1]);
 
   reports::EdgeChoice chosen = edges_of(shape, words, 3);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <exception>
+#include <iostream>
 #include <stdexcept>
 
 #include <DBRep.hxx>
@@ -13,6 +14,8 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/intersection_edges.h"
+#include "adapters/occt/shapes.h"
+#include "plugin/reports/models/repairs.h"
 
 namespace blossom::draw {
 
@@ -46,6 +49,20 @@ TopoDS_Shape shape_named(const std::string& name) {
   throw occt::BadModel(name + ": there is no such shape");
 }
 
+SewnShape sew(const std::string& name, const std::optional<double>& within) {
+  SewnShape sewn{shape_named(name), {}};
+  if (occt::faces_of(sewn.shape).empty()) return sewn;
+  occt::Model model;
+  model.add(sewn.shape, name);
+  sewn.sewing = model.sew(within);
+  if (!sewn.sewing.solids.empty()) sewn.shape = model.shape();
+  for (const std::string& line : reports::words_of(sewn.sewing, "blsew RESULT " + name))
+    std::cerr << name << ": " << line << '\n';
+  return sewn;
+}
+
+TopoDS_Shape sewn_shape(const std::string& name) { return sew(name, std::nullopt).shape; }
+
 std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape, const std::string& name) {
   std::vector<TopoDS_Face> faces = occt::faces_of(shape);
   if (faces.empty()) throw occt::BadModel(name + ": there is no face in it");
@@ -53,7 +70,7 @@ std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape, const std::string& 
 }
 
 occt::TrimTool tool_named(const std::string& name) {
-  const TopoDS_Shape shape = shape_named(name);
+  const TopoDS_Shape shape = sewn_shape(name);
   faces_in(shape, name);
   occt::TrimTool tool = occt::trim_tool(shape);
   tool.name = name;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "adapters/occt/sewing.h"
 #include "adapters/occt/trim_tool.h"
 #include "core/math/vec.h"
 
@@ -35,10 +37,24 @@ void require(bool right_number);
 /// throws   BadModel if there is no shape of that name
 TopoDS_Shape shape_named(const std::string& name);
 
+/// The shape of that name with its loose faces sewn to the solids that they close, as `occt::Model`
+/// sews them. What became of them is told on stderr, beside the answer.
+/// throws   likewise
+TopoDS_Shape sewn_shape(const std::string& name);
+
+/// What sewing a shape of that name makes of it.
+struct SewnShape {
+  TopoDS_Shape shape;
+  occt::Sewing sewing;
+};
+/// within   the widest gap that is one; without it as the borders allow
+/// throws   likewise
+SewnShape sew(const std::string& name, const std::optional<double>& within);
+
 /// throws   likewise, or if there is no face in it
 std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape, const std::string& name);
 
-/// All of it as a tool that is called by its name in messages.
+/// All of it, sewn, as a tool that is called by its name in messages.
 /// throws   BadModel likewise, or as trim_tool
 occt::TrimTool tool_named(const std::string& name);
 

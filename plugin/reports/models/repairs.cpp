@@ -97,7 +97,7 @@ std::vector<std::string> details_of(const occt::Repairs& repairs) {
   return lines;
 }
 
-std::vector<std::string> words_of(const occt::Sewing& sewing) {
+std::vector<std::string> words_of(const occt::Sewing& sewing, const std::string& way) {
   std::vector<std::string> lines;
   const auto number = [](int count) { return static_cast<std::size_t>(count); };
   if (!sewing.solids.empty()) {
@@ -115,8 +115,8 @@ std::vector<std::string> words_of(const occt::Sewing& sewing) {
     const std::size_t left = number(sewing.loose - sewing.sewn());
     lines.push_back(counted(left, "loose face") + (left == 1 ? " closes" : " close") +
                     " no solid: " + counted(number(sewing.open_edges), "edge") +
-                    " open, the first at " + corner_of(sewing.open_at) +
-                    "; --sew-gap T joins across gaps up to T");
+                    " open, the first at " + corner_of(sewing.open_at) + "; " + way +
+                    " T joins across gaps up to T");
   }
   return lines;
 }

@@ -20,7 +20,8 @@ std::vector<std::string> details_of(const occt::Repairs& repairs);
 
 /// What became of loose faces, in lines: "44 loose faces sewn into 1 solid, gaps up to 0.0003";
 /// none if there is nothing to say.
-std::vector<std::string> words_of(const occt::Sewing& sewing);
+/// way   how the user joins across wider gaps, as words
+std::vector<std::string> words_of(const occt::Sewing& sewing, const std::string& way);
 
 /// What reports say of both; they have a list, `repairs`, of each input in the order in which the
 /// command takes them.

@@ -102,6 +102,28 @@ def clash_tells_how_solids_lie(document):
     claim("none is an error that says so", says(found, "Show: no parts have a common body"))
 
 
+def loose(document, faces, name="Loose"):
+    """Faces without common edges, as surface models have them."""
+    obj = document.addObject("Part::Feature", name)
+    obj.Shape = Part.makeCompound([face.copy() for face in faces])
+    return obj
+
+
+def loose_faces_are_sewn(document):
+    faces = Part.makeBox(10, 10, 10).Faces
+    block, post = loose(document, faces), box(document, "Post", (2, 2, 10), (4, 4, 5))
+    claim("they are no solid", not block.Shape.Solids)
+    cut = make.solid(document, "cut", (block, ""), [(post, "")])
+    kept = make.solid(document, "common", (post, ""), [(block, "")])
+    document.recompute()
+    claim("they are cut as a solid", valid(cut) and near(cut.Shape.Volume, 1000 - 20))
+    claim("and cut as one", valid(kept) and near(kept.Shape.Volume, 20))
+    claim("the object stays as it is", not block.Shape.Solids)
+    block.Shape = Part.makeCompound([face.copy() for face in faces[:5]])
+    document.recompute()
+    claim("what closes nothing is cut as a sheet", valid(cut) and not cut.Shape.Solids and near(cut.Area, 500))
+
+
 def clash_follows_containers_and_refuses_faces(document):
     block, post = box(document, "Block"), box(document, "Post", (2, 2, 10), (4, 4, 5))
     holder = document.addObject("App::Part", "Holder")
@@ -230,6 +252,7 @@ run(
     chamfer_cuts_edges_off,
     fillets_may_change_and_be_conics,
     clash_tells_how_solids_lie,
+    loose_faces_are_sewn,
     clash_follows_containers_and_refuses_faces,
     mesh_is_of_freecads_kind,
     wrong_lines_are_told_and_leave_nothing,

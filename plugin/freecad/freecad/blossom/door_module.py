@@ -52,7 +52,7 @@ class ModuleDoor:
 
     def solid(self, operation, part, tools, **options):
         made = part.solid(operation, *tools, **options, **self._way)
-        return self._answer(made, lambda report: report["solids"])
+        return self._answer(made, lambda report: report["solids"] or report["sheets"])
 
     def check(self, part):
         return Answer(None, part.check(**self._way).to_dict(samples=False))
