@@ -120,7 +120,7 @@ SurfaceIntersection at_best_tolerance(const BoxedSurface& a, const BoxedSurface&
                                       const IntersectionOptions& options) {
   auto [found, rest] = in_best_patches(a, b, options);
   const double tolerance = options.tolerances.point;
-  const bool passes = passes_node(found, tolerance);
+  const bool passes = ends_beside_node(found);
   if (!may_gain(a, b, found, options) && !passes) return std::move(found);
   for (const double part : kFinerTolerances) {
     if (!rest) break;
@@ -129,7 +129,7 @@ SurfaceIntersection at_best_tolerance(const BoxedSurface& a, const BoxedSurface&
     rest->tolerances.point = part * tolerance;
     SurfaceIntersection finer = assembled(a, b, *rest);
     if (is_settled(found, finer, tolerance, part * tolerance) ||
-        (passes && finer.status != Status::Stopped && !passes_node(finer, part * tolerance)))
+        (passes && finer.status != Status::Stopped && finer.nodes.empty()))
       return settled(std::move(finer));
     rest = rest_of(*rest, started, finer.certificate);
   }

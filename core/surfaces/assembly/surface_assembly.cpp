@@ -107,7 +107,10 @@ class Assembly {
               : add_short(cells_a, cells_b, chains[i]);
     for (const CornerContact& corner_contact : lone_corner_contacts(found_, cells_a, cells_b))
       add_corner_contact(cells_a, cells_b, corner_contact);
-    for (const ContactChain& contact : contacts_) add_contact(cells_a, cells_b, contact);
+    for (const ContactChain& contact : contacts_) {
+      add_contact(cells_a, cells_b, contact);
+      if (contact.passed_by) weaken(Status::Tolerance, kEndsBesideNode);
+    }
     for (const CriticalCluster& cluster : clusters_) add_place(cells_a, cells_b, cluster);
     for (const CriticalCluster& cluster : clusters_of(found_.slow))
       add_slow(cells_a, cells_b, cluster);

@@ -8,6 +8,7 @@
 
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_reach.h"
+#include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/gap/contact_points.h"
 
 namespace blossom {
@@ -50,6 +51,15 @@ ArcEnd at_node(const ContactChain& contact, ArcEnd end, SurfaceCells& a, Surface
   const auto &patch_a = a.tree(goal.patch_a).patch(), &patch_b = b.tree(goal.patch_b).patch();
   const bool leads = leads_to(patch_a, patch_b, arm_of(found, a, b, end, goal), goal.x);
   return leads ? reach_contact(found, a, b, end, goal) : end;
+}
+
+// True if an arm ends in the centre, perhaps in patches that have it on their border.
+bool ends_in(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
+             ArcEnd end, const ContactPoint& centre) {
+  const Point4 x = arm_of(found, a, b, end, centre).end;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (std::abs(x[k] - centre.x[k]) > kOnBorder) return false;
+  return true;
 }
 
 // Over a, from a contact's end of an arm into the arm.
@@ -217,6 +227,7 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
         end = joins                ? reach_contact(found, a, b, end, contact.centre)
               : contact.high_order ? reach_straight(found, a, b, end, contact.centre, tolerance)
                                    : at_node(contact, end, a, b, found);
+        contact.passed_by |= contact.high_order && !ends_in(found, a, b, end, contact.centre);
         const Vec3 p = point_of(found, a, end);  // what lies between is the contact's
         contact.box = joined(contact.box, {p, p});
       }

@@ -21,6 +21,10 @@ inline const Point4& end_of(const PairSearchResult& found, ArcEnd end) {
   return end % 2 == 0 ? arc.from : arc.to;
 }
 
+/// Why a result with such a contact is no better.
+inline constexpr const char* kEndsBesideNode =
+    "branches end on the border of a region in which several meet, or nearly";
+
 /// A larger cluster is more than a point. Of the size.
 inline constexpr double kPointCluster = 1e-2;
 
@@ -44,6 +48,7 @@ struct ContactChain {
   bool straight = false;    ///< its two arms go straight on into each other
   bool passed = false;      ///< likewise, and they are tangential curves
   bool high_order = false;  ///< a node in which the surfaces agree up to the second order or more
+  bool passed_by = false;   ///< likewise, and a branch ends beside it
   bool regular = false;     ///< a point in which the surfaces cross, see crosses_regularly
   ContactPoint centre;      ///< of a point
   double length = 0;        ///< model units

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/surfaces/contacts/contact_chain.h"
+
 namespace blossom {
 namespace {
 
@@ -42,21 +44,9 @@ bool may_hold(const Place& place, const SurfaceIntersection& found, double toler
 
 }  // namespace
 
-bool passes_node(const SurfaceIntersection& found, double tolerance) {
-  const auto is_node_at = [&](const Place& place, const SurfacePoint& end) {
-    return place.kind == PlaceKind::Node && meets(place, end.point, end.point, tolerance);
-  };
-  const auto is_beside = [&](const SurfacePoint& end) {
-    return std::ranges::any_of(found.places,
-                               [&](const Place& place) { return is_node_at(place, end); }) &&
-           std::ranges::none_of(found.nodes, [&](const SurfacePoint& node) {
-             return distance(node.point, end.point) <= tolerance;
-           });
-  };
-  return std::ranges::any_of(found.curves, [&](const IntersectionCurve& curve) {
-    return (curve.ends[0] == CurveEnd::Place && is_beside(curve.samples.front())) ||
-           (curve.ends[1] == CurveEnd::Place && is_beside(curve.samples.back()));
-  });
+bool ends_beside_node(const SurfaceIntersection& found) {
+  const auto& reasons = found.certificate.reasons;
+  return std::ranges::find(reasons, kEndsBesideNode) != reasons.end();
 }
 
 bool may_be_settled(const SurfaceIntersection& found, double finer_tolerance) {

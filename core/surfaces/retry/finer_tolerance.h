@@ -16,11 +16,9 @@ namespace blossom {
 /// The tolerances of further attempts, as parts of the first one.
 inline constexpr std::array kFinerTolerances{0.1, 0.01};
 
-/// True if a branch ends beside a node that is listed for it: the surfaces only nearly touch there,
-/// and at a finer tolerance the branches may pass each other.
-///
-/// tolerance   model units
-bool passes_node(const SurfaceIntersection& found, double tolerance);
+/// True if a branch ends on the border of a region in which several meet, or nearly: at a finer
+/// tolerance they may pass each other.
+bool ends_beside_node(const SurfaceIntersection& found);
 
 /// False if no answer at the finer tolerance can decide what a search left open: something
 /// overlaps; a place that is neither open nor a touch holds a near miss, which the finer search

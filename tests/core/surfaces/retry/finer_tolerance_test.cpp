@@ -75,16 +75,6 @@ TEST(FinerTolerance, KeepsATouchBesideACurve) {
   }
 }
 
-TEST(FinerTolerance, IsAskedWhereABranchEndsBesideANode) {
-  for (const double end : {0.0, 0.05}) {
-    SurfaceIntersection found = line_at(0);
-    found.curves[0].ends = {CurveEnd::BorderA, CurveEnd::Place};
-    found.places.push_back(place_of(PlaceKind::Node, {1.9, -0.1, -0.1}, {2.1, 0.1, 0.1}, 0));
-    found.nodes.push_back({{2 + end, 0, 0}, {}, {}});
-    EXPECT_EQ(passes_node(found, 1e-6), end != 0);
-  }
-}
-
 TEST(FinerTolerance, KeepsOverlaps) {
   SurfaceIntersection found = open_at_one();
   found.overlaps.push_back({});
