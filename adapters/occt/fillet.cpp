@@ -179,7 +179,8 @@ std::optional<ChangedRadius> radius_to_change(Filleting& work,
   return ChangedRadius{of.radius, chains[changed].begin()->first};
 }
 
-// The largest radius of the chain at fault, or of all where they cannot be rounded together.
+// The largest radius with which all that was asked for can be rounded; of the chain at fault alone
+// where the others are rounded without it.
 void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
                  const FilletOptions& options, FilletRefusal& why) {
   if (!options.largest || options.section.kind != SectionKind::Circle || why.largest) return;
@@ -187,7 +188,7 @@ void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
   for (std::size_t i = 0; i < chains.size(); ++i)
     if (chains[i].count(why.edge) > 0) at_fault = i;
   std::vector<FilletEdges> asked = chains;
-  if (at_fault && (options.partial || is_own_fault(why.fault))) asked = {chains[*at_fault]};
+  if (at_fault && options.partial) asked = {chains[*at_fault]};
   const std::map<int, EdgeRadius> own = work.own();
   const auto changed = radius_to_change(work, chains, at_fault, options);
   if (!changed) return;

@@ -57,16 +57,16 @@ struct Borders {
 
 // How far the contacts of a swept strip keep from the borders, and from which it is least.
 struct Room {
-  double least = -1;  // where there is no strip
+  double least = std::numeric_limits<double>::infinity();
   int edge = 0;
 };
 
-Room room_of(const BodyEdges& body, int edge, bool concave, double radius,
-             const Borders& borders) try {
+// Nothing where there is no strip.
+std::optional<Room> room_of(const BodyEdges& body, int edge, bool concave, double radius,
+                            const Borders& borders) try {
   const auto strip = swept_strip(body, edge, concave, radius);
+  if (!strip) return std::nullopt;
   Room room;
-  if (!strip) return room;
-  room.least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < borders.of.size(); ++i) {
     const RolledContact& contact = strip->contacts[static_cast<std::size_t>(borders.of[i].support)];
     for (int k = 0; k <= kSamples; ++k) {
@@ -78,37 +78,55 @@ Room room_of(const BodyEdges& body, int edge, bool concave, double radius,
   }
   return room;
 } catch (const std::exception&) {
-  return {};
+  return std::nullopt;
 }
 
-// Where the room is used up, by the secant of a bracket (the Illinois method). Contacts of swept
-// strips are lines and circles, as their borders mostly are, so it is the same all along.
+// The largest radius of which there is a strip, which a smaller one has and a larger one has not.
+double largest_swept(const BodyEdges& body, int edge, bool concave, double low, double high) {
+  for (int i = 0; i < kMaxSteps && high - low > kRadiusError * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (room_of(body, edge, concave, middle, {}) ? low : high) = middle;
+  }
+  return low;
+}
+
+// Where the curvature of a face ends the strip, or the room is used up, by the secant of a bracket
+// (the Illinois method). Contacts of swept strips are lines and circles, as their borders mostly
+// are, so it is the same all along.
 std::optional<FilletLimit> swept_limit(const BodyEdges& body, int edge, bool concave, double most,
                                        const Borders& borders) {
   double low = kMinShare * most, high = most;
-  Room at_low = room_of(body, edge, concave, low, borders);
-  Room at_high = room_of(body, edge, concave, high, borders);
-  if (!(at_low.least > 0) || !(at_high.least < 0)) return std::nullopt;
-  double f_low = at_low.least, f_high = at_high.least;
-  int cause = at_high.edge, side = 0;
+  const auto at_low = room_of(body, edge, concave, low, borders);
+  if (!at_low || at_low->least <= 0) return std::nullopt;
+  auto at_high = room_of(body, edge, concave, high, borders);
+  const bool ends = !at_high;
+  if (ends) {
+    high = largest_swept(body, edge, concave, low, high);
+    at_high = room_of(body, edge, concave, high, borders);
+  }
+  if (!at_high) return std::nullopt;
+  if (at_high->least >= 0)
+    return ends ? std::optional(FilletLimit{high, "the curvature of a face", true}) : std::nullopt;
+  double f_low = at_low->least, f_high = at_high->least;
+  int cause = at_high->edge, side = 0;
   for (int i = 0; i < kMaxSteps && high - low > kRadiusError * high; ++i) {
     const double radius = high - f_high * (high - low) / (f_high - f_low);
-    const Room room = room_of(body, edge, concave, radius, borders);
-    if (room.edge > 0) cause = room.edge;
-    if (room.least <= 0) {
+    const auto room = room_of(body, edge, concave, radius, borders);
+    if (!room) return std::nullopt;
+    cause = room->edge;
+    if (room->least <= 0) {
       high = radius;
-      f_high = room.least;
+      f_high = room->least;
       if (side == -1) f_low *= 0.5;
       side = -1;
     } else {
       low = radius;
-      f_low = room.least;
+      f_low = room->least;
       if (side == 1) f_high *= 0.5;
       side = 1;
     }
-    if (room.least == 0) low = high;
+    if (room->least == 0) low = high;
   }
-  if (cause == 0) return std::nullopt;
   return FilletLimit{low, "edge " + std::to_string(cause) + ", which the contact reaches", true};
 }
 

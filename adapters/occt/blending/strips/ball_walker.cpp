@@ -401,14 +401,15 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
     if (came_back_) return {std::move(known), t};
   }
   const bool leans = exit.held != std::array<int, 2>{};
-  if (const auto there = leans ? std::nullopt : place_with(faces, place, step)) {
+  const auto there = leans ? std::nullopt : place_with(faces, place, step);
+  if (there) {
     auto known = strip_if_any(*there);
     if (known && !known->strip.closed && reaches(*known, of, exit.t, reach, t)) {
       place = *there;
       return {*std::move(known), t};
     }
   }
-  WalkedStrip made = pair_strip(of, exit, faces, place);
+  WalkedStrip made = pair_strip(of, exit, faces, there.value_or(place));
   if (!made.strip.closed && reaches(made, of, exit.t, reach, t)) return {std::move(made), t};
   refuse(FilletFault::Corner, place, "the ball does not go on over an edge beside it", centre);
 }

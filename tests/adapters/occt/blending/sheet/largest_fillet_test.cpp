@@ -123,6 +123,34 @@ TEST(LargestFillet, OfBothEdgesOfAChannelIsHalfItsFloor) {
   expect_told(shape, edges_that_have(shape, EdgeKind::Concave), 0.8, 0.5, kExact);
 }
 
+// A plate in the shape of an L, whose arms end in faces that are as wide as the arms.
+TopoDS_Shape ell(double first, double second) {
+  const TopoDS_Shape a = BRepPrimAPI_MakeBox(30, first, 6).Shape();
+  return BRepAlgoAPI_Fuse(a, BRepPrimAPI_MakeBox(second, 30, 6).Shape()).Shape();
+}
+
+// Whichever of two edges far from each other is refused, both are rounded with the radius told.
+TEST(LargestFillet, OfEdgesFarFromEachOtherIsThatOfTheTighterOne) {
+  for (const bool turned : {false, true}) {
+    const double first = turned ? 2 : 4, second = turned ? 4 : 2;
+    const TopoDS_Shape shape = ell(first, second);
+    const std::vector<int> edges{edge_with_middle(shape, {30, first, 3}),
+                                 edge_with_middle(shape, {second, 30, 3})};
+    expect_told(shape, edges, 5, 2, kExact);
+  }
+}
+
+// Round the top of a block one of whose upright edges is an arc of radius 3: with that radius the
+// ball turns on the spot.
+TEST(LargestFillet, RoundAnArcIsTheRadiusOfTheArc) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(20, 20, 10).Shape();
+  const FilletResult made = fillet(block, {edge_with_middle(block, {20, 20, 5})}, {.radius = 3});
+  ASSERT_EQ(made.solids.size(), 1U);
+  const TopoDS_Shape shape = made.solids.front().solid;
+  for (const double radius : {3.01, 4.0, 5.0})
+    expect_told(shape, {edge_with_middle(shape, {20, 8.5, 10})}, radius, 3, kExact);
+}
+
 TEST(LargestFillet, IsNotLookedForWhereItIsNotWanted) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
   const FilletResult made = fillet(box, {1}, {.radius = 11, .largest = false});
