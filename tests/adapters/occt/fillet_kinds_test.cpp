@@ -147,6 +147,40 @@ TEST(FilletOfMixedCorners, BlendsAreNamedAfterTheEdgesThatWereGiven) {
   EXPECT_GE(blends, 18);
 }
 
+// A rib between the arms of an angle: of the three edges at the end of its slanting edge that one
+// alone is convex, whether the foot across the rib's thickness is rounded or not. So it comes
+// first, and the fillet of the feet goes round the rib.
+TEST(FilletOfMixedCorners, FeetOfARibAreRoundedAfterItsSlantingEdge) {
+  const TopoDS_Shape angle =
+      prism({{0, 0, 0}, {40, 0, 0}, {40, 5, 0}, {5, 5, 0}, {5, 40, 0}, {0, 40, 0}}, 30);
+  const TopoDS_Shape rib =
+      BRepPrimAPI_MakePrism(polygon({{5, 5, 13}, {20, 5, 13}, {5, 20, 13}}), gp_Vec(0, 0, 4));
+  const TopoDS_Shape shape = BRepAlgoAPI_Fuse(angle, rib).Shape();
+  const auto edges_at = [](const TopoDS_Shape& of, const std::vector<Vec3>& middles) {
+    std::vector<int> found;
+    for (const EdgeFacts& each : edge_facts(of))
+      for (const Vec3& at : middles)
+        if (distance(each.middle, at) < 1e-6) found.push_back(each.number);
+    return found;
+  };
+  const Vec3 slanting{12.5, 12.5, 17}, lying{12.5, 5, 17}, upright{5, 12.5, 17};
+
+  const FilletResult made =
+      fillet(shape, edges_at(shape, {slanting, lying, upright}), {.radius = 3});
+
+  const FilletResult first = fillet(shape, edges_at(shape, {slanting}), {.radius = 3});
+  ASSERT_EQ(first.solids.size(), 1U);
+  const TopoDS_Shape& with_first = first.solids.front().solid;
+  std::vector<int> feet;  // what is left of them begins in the inner corner
+  for (const EdgeFacts& each : edge_facts(with_first))
+    if (each.kind == EdgeKind::Concave && std::abs(each.middle[2] - 17) < 1e-6)
+      feet.push_back(each.number);
+  ASSERT_EQ(feet.size(), 2U);
+  const FilletResult second = fillet(with_first, feet, {.radius = 3});
+  ASSERT_EQ(second.solids.size(), 1U);
+  expect_volume(made, second.solids.front().volume, 1e-9);
+}
+
 // The top and the side of a bar, cut by planes at different slants: what lies beside the edge goes
 // on smoothly, over borders that the contacts meet at different places.
 TEST(FilletOverSmoothNeighbours, GoesOnWhereContactsMeetBordersApart) {

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "adapters/occt/blending/blend_edges.h"
+
 namespace blossom::occt {
 namespace {
 
@@ -49,6 +51,13 @@ int with_larger_ball(const std::vector<int>& edges, const FilletOptions& options
   return 0;
 }
 
+// Whether an edge is concave, or convex; those that have fillets are known.
+bool is_of_kind(const BodyEdges& body, const FilletEdges& edges, int edge, bool concave) {
+  if (const auto known = edges.find(edge); known != edges.end()) return known->second == concave;
+  double angle = 0;
+  return edge_kind(body, edge, angle) == (concave ? EdgeKind::Concave : EdgeKind::Convex);
+}
+
 Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOptions& options) {
   for (const auto& [edge, concave] : edges) places_.emplace(edge, static_cast<int>(places_.size()));
   classes_.resize(places_.size());
@@ -56,11 +65,14 @@ Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOption
   for (const auto& [edge, concave] : edges)
     for (const bool at_start : {true, false}) {
       std::vector<int> alike, others;
+      std::size_t of_kind = 0, of_other_kind = 0;  // with edges that have no fillet
       const std::vector<VertexSector> ring = body.round({edge, at_start});
       for (const VertexSector& each : ring) {
         const auto known = edges.find(each.half.edge);
-        if (known == edges.end()) continue;
-        (known->second == concave ? alike : others).push_back(known->first);
+        const bool has_fillet = known != edges.end();
+        if (has_fillet) (known->second == concave ? alike : others).push_back(known->first);
+        if (is_of_kind(body, edges, each.half.edge, concave)) ++of_kind;
+        if (is_of_kind(body, edges, each.half.edge, !concave)) ++of_other_kind;
       }
       if (const int larger = ring.size() == 3 ? with_larger_ball(alike, options) : 0) {
         for (const int each : alike)
@@ -71,8 +83,8 @@ Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOption
         continue;
       }
       for (const int each : alike) unite(edge, each);
-      const bool first = ring.size() <= kOrdered && alike.size() == 1 &&
-                         (others.size() > 1 || (others.size() == 1 && concave));
+      const bool first = ring.size() <= kOrdered && of_kind == 1 &&
+                         (of_other_kind > 1 || (of_other_kind == 1 && concave));
       if (!first) continue;
       for (const int each : others) before_.emplace_back(edge, each);
     }
