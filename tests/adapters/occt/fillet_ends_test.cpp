@@ -131,6 +131,24 @@ TEST(FilletOfATaperedPlate, EndsInItsEndFaceThroughTheCorner) {
     expect_change(fillet(shape, edges, {.radius = radius}), -10 * kCut * radius * radius, 1e-7);
 }
 
+// An edge of length 1 of a prism over a parallelogram. Beside its middle the contact is beyond the
+// leaning face, but further on it is in both faces; the ends are parallel planes, so that the strip
+// takes off as much as a straight one of the edge's length.
+TEST(FilletOfALeaningFace, BeginsWhereTheBallTouchesBothFaces) {
+  for (const double lean : {0.6, -0.6, 0.9}) {
+    const TopoDS_Shape shape =
+        prism({{0, 0, 0}, {1, 0, 0}, {1 + 4 * lean, 4, 0}, {4 * lean, 4, 0}}, {0, 0, 3});
+    const std::vector<int> edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+      return distance(at, {0.5, 0, 3}) < 1e-9;
+    });
+
+    const FilletResult made = fillet(shape, edges, {.radius = 1});
+
+    expect_change(made, -kCut, 1e-9);
+    EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+  }
+}
+
 // A quarter of a cone, whose upright edge ends in the apex.
 TEST(FilletAtAnApex, StripEndsInTheCone) {
   const TopoDS_Shape shape = BRepPrimAPI_MakeCone(50, 0, 120, std::numbers::pi / 2).Shape();

@@ -68,6 +68,7 @@ class BallWalker {
   const WalkedStrip& strip_at(std::size_t place);
   std::optional<WalkedStrip> strip_if_any(std::size_t place);
   std::size_t start();
+  std::optional<double> place_between(const WalkedStrip& of) const;
   bool goes_beside(const WalkedStrip& of) const;
   std::optional<ContactCrossing> border_between(int face, const Vec2& from, const Vec2& to,
                                                 int entered) const;

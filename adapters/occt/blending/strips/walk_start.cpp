@@ -2,8 +2,10 @@
 // Where a walk starts: beside an edge of the run, or behind smooth borders of its faces.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
@@ -21,6 +23,40 @@ bool BallWalker::goes_beside(const WalkedStrip& of) const {
   return std::ranges::all_of(of.strip.contacts, [&](const RolledContact& contact) {
     return lies_inside(body_, contact, of.inside);
   });
+}
+
+// Where the ball touches both faces of a strip that it does not touch beside the middle of its
+// edge: between borders of a face that both begin in the edge's ends but slant the same way. What
+// is nearest to the middle counts. Nothing for others.
+std::optional<double> BallWalker::place_between(const WalkedStrip& of) const {
+  const RolledStrip& strip = of.strip;
+  if (!of.of_edge || strip.closed) return std::nullopt;
+  std::vector<double> places{strip.range.from, strip.range.to};
+  for (const std::size_t side : {0U, 1U}) {
+    const EdgeUseInFace& own = body_.use(strip.edge, side == 0);
+    const std::vector<EdgeUseInFace>& uses = body_.uses(own.face);
+    const bool beside = lies_inside(body_, strip.contacts[side], of.inside);
+    for (const ContactCrossing& each : contact_crossings(body_, strip, side, {strip.edge})) {
+      places.push_back(each.t);
+      if (beside || is_seam_at(body_, each)) continue;
+      const int number = each.use->edge;
+      const bool comes = each.leaves != (each.t > of.inside);
+      if (comes && number != uses[static_cast<std::size_t>(own.next)].edge &&
+          number != uses[static_cast<std::size_t>(own.previous)].edge)
+        return std::nullopt;  // it is what lies behind another edge
+    }
+  }
+  std::ranges::sort(places);
+  std::optional<double> nearest;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const double t = at(Interval{places[i], places[i + 1]}, 0.5);
+    if (nearest && std::abs(t - of.inside) >= std::abs(*nearest - of.inside)) continue;
+    if (std::ranges::all_of(strip.contacts, [&](const RolledContact& contact) {
+          return lies_inside(body_, contact, t);
+        }))
+      nearest = t;
+  }
+  return nearest;
 }
 
 // The first edge beside which there is a ball; where contacts run along borders, any edge. Where
@@ -41,6 +77,11 @@ std::size_t BallWalker::start() {
       longest = length;
     }
   if (!any) throw FilletRefused(*refused);
+  for (std::size_t i = 0; i < made_.size(); ++i)
+    if (const auto t = made_[i] ? place_between(*made_[i]) : std::nullopt) {
+      made_[i]->inside = *t;
+      return i;
+    }
   return *any;
 }
 
