@@ -131,6 +131,26 @@ TEST(FilletOfATaperedPlate, EndsInItsEndFaceThroughTheCorner) {
     expect_change(fillet(shape, edges, {.radius = radius}), -10 * kCut * radius * radius, 1e-7);
 }
 
+// Beside the middle of its edge the plate is narrower than the ball's contact is from it, but not
+// at the wide end: from there the strip runs out over the far side, and down that to the narrow
+// end.
+TEST(FilletOfATaperedPlate, BeginsWhereItIsWideEnough) {
+  const TopoDS_Shape shape = prism({{0, 0, 0}, {10, 0, 0}, {10, 3, 0}, {0, 0.5, 0}}, {0, 0, 5});
+  const std::vector<int> edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+    return distance(at, {5, 0, 5}) < 1e-9;
+  });
+  const double r = 2;
+  const auto below_arc = [&](double s) {
+    return 0.5 * (s * std::sqrt(r * r - s * s) + r * r * std::asin(s / r));
+  };
+  const auto section = [&](double width) {
+    return r * width - below_arc(r) + below_arc(r - width);
+  };
+  const double narrow = integral(0, 6, [&](double x) { return section(0.5 + x / 4); });
+
+  expect_change(fillet(shape, edges, {.radius = r}), -narrow - 4 * section(r), 1e-9);
+}
+
 // An edge of length 1 of a prism over a parallelogram. Beside its middle the contact is beyond the
 // leaning face, but further on it is in both faces; the ends are parallel planes, so that the strip
 // takes off as much as a straight one of the edge's length.

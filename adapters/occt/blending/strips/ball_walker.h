@@ -68,6 +68,8 @@ class BallWalker {
   const WalkedStrip& strip_at(std::size_t place);
   std::optional<WalkedStrip> strip_if_any(std::size_t place);
   std::size_t start();
+  bool is_aside(const WalkedStrip& of, std::size_t side,
+                const std::vector<ContactCrossing>& all) const;
   std::optional<double> place_between(const WalkedStrip& of) const;
   bool goes_beside(const WalkedStrip& of) const;
   std::optional<ContactCrossing> border_between(int face, const Vec2& from, const Vec2& to,

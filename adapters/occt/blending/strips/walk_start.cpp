@@ -25,34 +25,45 @@ bool BallWalker::goes_beside(const WalkedStrip& of) const {
   });
 }
 
+// Whether borders of a face that begin in the ends of an edge slant the same way, so that what lies
+// between them at the distance of the contact is aside of the edge: over no other border does the
+// contact come into the face, seen from the middle.
+bool BallWalker::is_aside(const WalkedStrip& of, std::size_t side,
+                          const std::vector<ContactCrossing>& all) const {
+  const EdgeUseInFace& own = body_.use(of.strip.edge, side == 0);
+  const std::vector<EdgeUseInFace>& uses = body_.uses(own.face);
+  return std::ranges::all_of(all, [&](const ContactCrossing& each) {
+    if (is_seam_at(body_, each) || each.leaves == (each.t > of.inside)) return true;
+    const auto is = [&](int use) {
+      return uses[static_cast<std::size_t>(use)].edge == each.use->edge;
+    };
+    return is(own.next) || is(own.previous);
+  });
+}
+
 // Where the ball touches both faces of a strip that it does not touch beside the middle of its
-// edge: between borders of a face that both begin in the edge's ends but slant the same way. What
-// is nearest to the middle counts. Nothing for others.
+// edge: beside another part of the edge, or between borders that begin in its ends. What is nearest
+// to the middle counts. Nothing for others.
 std::optional<double> BallWalker::place_between(const WalkedStrip& of) const {
   const RolledStrip& strip = of.strip;
   if (!of.of_edge || strip.closed) return std::nullopt;
-  std::vector<double> places{strip.range.from, strip.range.to};
+  std::vector<double> places{strip.range.from, strip.range.to, strip.edge_range.from,
+                             strip.edge_range.to};
+  bool aside = true;
   for (const std::size_t side : {0U, 1U}) {
-    const EdgeUseInFace& own = body_.use(strip.edge, side == 0);
-    const std::vector<EdgeUseInFace>& uses = body_.uses(own.face);
-    const bool beside = lies_inside(body_, strip.contacts[side], of.inside);
-    for (const ContactCrossing& each : contact_crossings(body_, strip, side, {strip.edge})) {
-      places.push_back(each.t);
-      if (beside || is_seam_at(body_, each)) continue;
-      const int number = each.use->edge;
-      const bool comes = each.leaves != (each.t > of.inside);
-      if (comes && number != uses[static_cast<std::size_t>(own.next)].edge &&
-          number != uses[static_cast<std::size_t>(own.previous)].edge)
-        return std::nullopt;  // it is what lies behind another edge
-    }
+    const auto all = contact_crossings(body_, strip, side, {strip.edge});
+    for (const ContactCrossing& each : all) places.push_back(each.t);
+    if (!lies_inside(body_, strip.contacts[side], of.inside))
+      aside = aside && is_aside(of, side, all);
   }
   std::ranges::sort(places);
   std::optional<double> nearest;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const double t = at(Interval{places[i], places[i + 1]}, 0.5);
     if (nearest && std::abs(t - of.inside) >= std::abs(*nearest - of.inside)) continue;
-    if (std::ranges::all_of(strip.contacts, [&](const RolledContact& contact) {
-          return lies_inside(body_, contact, t);
+    const bool beside = t > strip.edge_range.from && t < strip.edge_range.to;
+    if ((beside || aside) && std::ranges::all_of(strip.contacts, [&](const RolledContact& each) {
+          return lies_inside(body_, each, t);
         }))
       nearest = t;
   }
