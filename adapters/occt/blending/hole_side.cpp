@@ -143,7 +143,7 @@ HoleSide fitted(const SideSampler& sampler, int degree, bool with_face) {
 /// Makes the fit finer until it is ten times as near as it has to be, or at least near enough.
 HoleSide fitted_side(const HoleEdge& edge, const FitTolerance& tolerance) {
   const bool with_face = !edge.face.IsNull();
-  const SideSampler sampler(edge, half_chord(edge));
+  const SideSampler sampler(edge);
   HoleSide best;
   for (int degree = 1; degree <= kMaxFitDegree; ++degree) {
     HoleSide next = fitted(sampler, degree, with_face);

@@ -68,14 +68,15 @@ double EdgeInChart::parameter(double x) const {
 }
 
 struct SideSampler::Parts {
-  double reach = 1;
+  std::optional<double> reach;
   bool backwards = false;
   std::optional<EdgeInChart> chart;
   Handle(Geom_Surface) surface;
   BRepAdaptor_Curve curve;
 };
 
-SideSampler::SideSampler(const HoleEdge& edge, double reach) : parts_(std::make_unique<Parts>()) {
+SideSampler::SideSampler(const HoleEdge& edge, std::optional<double> reach)
+    : parts_(std::make_unique<Parts>()) {
   parts_->reach = reach;
   parts_->backwards = edge.backwards;
   if (edge.face.IsNull()) {
@@ -102,8 +103,9 @@ SideSample SideSampler::at(double x, int order) const {
   const Vec3 cross_uv = cross(su, sv);
   sample.normal = unit(cross_uv);
   const double side = parts_->chart->away_is_left() ? 1 : -1;
+  const Vec3 square_to = cross(sample.normal, along[0] * su + along[1] * sv);
   const Vec3 across =
-      (side * parts_->reach) * unit(cross(sample.normal, along[0] * su + along[1] * sv));
+      parts_->reach ? (side * *parts_->reach) * unit(square_to) : 0.5 * side * square_to;
   // The line of the parameters with this derivative: across = a S_u + b S_v.
   const double square = dot(cross_uv, cross_uv);
   const double a = dot(cross(across, sv), cross_uv) / square;

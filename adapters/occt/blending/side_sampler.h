@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "adapters/occt/blending/hole_loop.h"
 #include "core/math/interval.h"
@@ -46,8 +47,9 @@ struct SideSample {
 
 class SideSampler {
  public:
-  /// reach    length of the first derivative, model units
-  SideSampler(const HoleEdge& edge, double reach);
+  /// reach    length of the first derivative, model units; without it as long as half that of the
+  ///          edge, so that it is a polynomial beside one in a plane
+  explicit SideSampler(const HoleEdge& edge, std::optional<double> reach = std::nullopt);
   ~SideSampler();
 
   /// order   of the derivatives that are wanted, 0 to 3
