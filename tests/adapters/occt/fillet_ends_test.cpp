@@ -119,6 +119,31 @@ TEST(FilletAtAnInnerCorner, EdgesThatFilletsGoOnInAreToldAmongThoseRounded) {
     EXPECT_TRUE(std::ranges::find(made.edges, edge) != made.edges.end()) << edge;
 }
 
+// Once the inner corner is round, the rim that was asked for goes on in that of the other bar. A
+// groove in that bar's top leaves no room for the ball: the fillet ends before it, and says so.
+TEST(FilletAtAnInnerCorner, EndsThereWhereTheRimBehindHasNoRoom) {
+  const TopoDS_Shape groove = BRepPrimAPI_MakeBox(gp_Pnt(4.2, 8, 15), gp_Pnt(4.7, 30, 25)).Shape();
+  const TopoDS_Shape shape = BRepAlgoAPI_Cut(prism(kAngle, {0, 0, 20}), groove).Shape();
+  std::vector<int> asked = edges_where(shape, EdgeKind::Concave, [](const Vec3& at) {
+    return distance(at, {5, 5, 10}) < 1e-9;
+  });
+  const std::vector<int> rim = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+    return distance(at, {17.5, 5, 20}) < 1e-9;
+  });
+  ASSERT_EQ(asked.size() + rim.size(), 2U);
+  asked.insert(asked.end(), rim.begin(), rim.end());
+
+  const FilletResult made = fillet(shape, asked, {.radius = 1});
+
+  testing::expect_sound(made);
+  std::ranges::sort(asked);
+  EXPECT_EQ(made.edges, asked);
+  EXPECT_EQ(made.notes.size(), 2U);
+  ASSERT_EQ(made.solids.size(), 1U);
+  const double added = 20 * kCut, taken = 24 * kCut;  // the strip stops a little before the blend
+  EXPECT_NEAR(made.solids.front().volume, made.volume_before + added - taken, 0.3 * kCut);
+}
+
 // At its narrow end the face is as wide as the ball's contact is from the edge: that comes to the
 // vertex there, and the strip ends in the end face, not in the slanted one.
 TEST(FilletOfATaperedPlate, EndsInItsEndFaceThroughTheCorner) {

@@ -198,6 +198,7 @@ std::vector<BallWalk> Filleting::walks(const FilletEdges& edges) const {
                         check_limit(limit_.get(), kFilleting);
                       }};
   for (const auto& [edge, concave] : edges) walking.filleted.insert(edge);
+  walking.ended_before = ended_before_;
   std::vector<BallWalk> all;
   for (const EdgeRun& run : edge_runs(body_, edges))
     for (BallWalk& walk : ball_walks(body_, run, walking)) all.push_back(std::move(walk));
@@ -277,6 +278,19 @@ Filleting::Renamed Filleting::renamed(const Filleting& next, const Grouped& done
   return renamed;
 }
 
+FilletEdges Filleting::Renamed::asked() const {
+  FilletEdges all = edges;
+  std::erase_if(all, [&](const auto& each) { return of.count(each.first) == 0; });
+  return all;
+}
+
+std::set<int> Filleting::Renamed::gone_on() const {
+  std::set<int> all;
+  for (const auto& [edge, concave] : edges)
+    if (of.count(edge) == 0) all.insert(edge);
+  return all;
+}
+
 // What is said of a solid with fillets, by the numbers of the one that was given.
 std::string Filleting::in_own_words(const std::string& text, const Filleting& next,
                                     const Grouped& done) const {
@@ -300,6 +314,18 @@ std::string Filleting::in_own_words(const std::string& text, const Filleting& ne
   return renumbered(text, edge, face);
 }
 
+// What was to go on in other edges, as far as it need not: nothing if that cannot be made either.
+std::optional<FilletedSolid> Filleting::made_before(const FilletEdges& edges,
+                                                    std::set<int> others) {
+  if (others.empty()) return std::nullopt;
+  ended_before_ = std::move(others);
+  try {
+    return made(edges, size()).front();
+  } catch (const FilletRefused&) {
+    return std::nullopt;
+  }
+}
+
 // A group into a solid that other groups were put into.
 FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group) {
   Filleting next(done.made.solid, options_, limit_);
@@ -317,7 +343,15 @@ FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group
     why.edge = old_number(why.edge);
     if (why.edge == 0) why.edge = group.begin()->first;
     why.cause = in_own_words(why.cause, next, done);
-    throw FilletRefused(why);
+    std::optional<FilletedSolid> shorter;  // of no help against what is wrong with the edges
+    if (why.fault != FilletFault::Edge)
+      shorter = next.made_before(in_next.asked(), in_next.gone_on());
+    if (!shorter) throw FilletRefused(why);
+    made = *std::move(shorter);
+    in_next.edges = in_next.asked();
+    notes_.push_back(
+        "the fillet of edge " + std::to_string(why.edge) +
+        " ends where others meet it, and does not go on smoothly beside them: " + why.cause);
   }
   for (const std::string& note : next.notes_) notes_.push_back(in_own_words(note, next, done));
   TopTools_IndexedMapOfShape edges;

@@ -106,12 +106,15 @@ class Filleting {
     FilletEdges edges;      // with those in which they go on
     std::map<int, int> of;  // numbers before, by numbers now
     std::map<int, EdgeRadius> own{};
+    FilletEdges asked() const;
+    std::set<int> gone_on() const;
   };
   int number_before(const TopoDS_Edge& edge, const Grouped& done) const;
   Renamed renamed(const Filleting& next, const Grouped& done, const FilletEdges& group) const;
   std::string in_own_words(const std::string& text, const Filleting& next,
                            const Grouped& done) const;
   double square_of_radius(int edge) const;
+  std::optional<FilletedSolid> made_before(const FilletEdges& edges, std::set<int> others);
   FilletedSolid with_next(const Grouped& done, const FilletEdges& group);
   const TopoDS_Face& face_given(int number) const {
     return faces_given_[static_cast<std::size_t>(number) - 1];
@@ -127,6 +130,7 @@ class Filleting {
   std::map<int, double> cones_;           // volumes over given faces, as far as they are known
   std::vector<std::string> notes_;
   std::set<int> gone_on_;
+  std::set<int> ended_before_;  // edges in which those that are rounded do not go on
   Vec3 apex_;
   struct Rolled {
     double size = 0;

@@ -51,6 +51,8 @@ struct WalkOptions {
   double tolerance = Tolerances{}.point;  ///< model units
   std::set<int> filleted;                 ///< all edges that have fillets
   std::function<void()> tick = [] {};     ///< called for each strip; may throw to stop
+  /// Edges in which runs would go on, but end before them.
+  std::set<int> ended_before{};
 };
 
 /// One walk along all edges of the run. Where the ball would come to a sharp edge beside a vertex

@@ -68,11 +68,13 @@ std::optional<std::size_t> BallWalker::next_place(std::size_t place, int step) c
   return step > 0 ? 0 : count - 1;
 }
 
-// Whether other fillets end where the run does: they, not borders of faces, end its strips.
+// Whether other fillets end where the run does, or it would go on there: they, not borders of
+// faces, end its strips.
 bool BallWalker::is_shared(int step) const {
   const HalfEdge half = end_half(step);
   const auto ring = body_.round(half);
   return std::ranges::any_of(ring, [&](const VertexSector& each) {
+    if (options_.ended_before.count(each.half.edge) > 0) return true;
     return !(each.half == half) && options_.filleted.count(each.half.edge) > 0;
   });
 }
