@@ -20,8 +20,12 @@ constexpr int kMostLimits = 4;        // edges whose limits are followed, one af
 constexpr int kMostMeetings = 4;      // steps to where blends meet in an edge
 constexpr double kFall = 2;           // from radius to radius until one works
 constexpr double kLeastShare = 1e-3;  // of the radius asked for: a smaller one is no help
-constexpr double kBracketed = 1.01;   // ratio of the bracket's ends
-// Edges that all trials together round, about ten seconds of work: then the bracket stays as it is.
+// Ratios of the bracket's ends: as many digits as are told, or near enough where trials take long.
+constexpr double kTold = 1 + 1e-6;
+constexpr double kBracketed = 1.01;
+// Edges that trials round all together until the bracket is near enough, about one second of work,
+// and until it stays as it is, about ten.
+constexpr std::size_t kManyEdges = 100;
 constexpr std::size_t kMostEdges = 1000;
 constexpr std::size_t kRollsInWork = 4;  // that cost about as much as one edge that is rounded
 
@@ -38,7 +42,11 @@ class RadiusTrials {
  private:
   bool works(double radius);
   bool rolls(double radius);
-  bool may_go_on() const { return tried_ + rolled_ / kRollsInWork < kMostEdges; }
+  std::size_t done() const { return tried_ + rolled_ / kRollsInWork; }
+  bool may_go_on() const { return done() < kMostEdges; }
+  bool is_open(double low) const {
+    return high_ > (done() < kManyEdges ? kTold : kBracketed) * low && may_go_on();
+  }
   std::optional<FilletLimit> limit() const;
   bool follow_limits();
   bool follow_meetings();
@@ -134,7 +142,7 @@ bool RadiusTrials::fall() {
 void RadiusTrials::close_rolling() {
   if (!is_own_fault(why_.fault)) return;
   double rolling = low_;
-  while (high_ > kBracketed * rolling && may_go_on()) {
+  while (is_open(rolling)) {
     const double radius = std::sqrt(rolling * high_);
     if (rolls(radius)) rolling = radius;
   }
@@ -142,7 +150,7 @@ void RadiusTrials::close_rolling() {
 }
 
 void RadiusTrials::close_bracket() {
-  while (high_ > kBracketed * low_ && may_go_on()) {
+  while (is_open(low_)) {
     const double radius = std::sqrt(low_ * high_);
     if (rolls(radius)) works(radius);
   }
