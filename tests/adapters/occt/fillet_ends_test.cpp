@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <gp_Ax2.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
@@ -142,6 +144,31 @@ TEST(FilletAtAnInnerCorner, EndsThereWhereTheRimBehindHasNoRoom) {
   ASSERT_EQ(made.solids.size(), 1U);
   const double added = 20 * kCut, taken = 24 * kCut;  // the strip stops a little before the blend
   EXPECT_NEAR(made.solids.front().volume, made.volume_before + added - taken, 0.3 * kCut);
+}
+
+// A boss stands across an edge, which the fillet takes off beside it: the boss's side grows down to
+// the strip, wherever its seam is.
+TEST(FilletBesideABoss, IsTheSameWhereverItsSeamIs) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(20, 20, 10).Shape();
+  std::optional<double> volume;
+  for (const double degrees : {90, 160, 170, 178, 15, 1}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const gp_Ax2 axis({10, 0, 0}, gp::DZ(), {std::cos(angle), std::sin(angle), 0});
+    const TopoDS_Shape boss = BRepPrimAPI_MakeCylinder(axis, 5, 20).Shape();
+    const TopoDS_Shape shape = BRepAlgoAPI_Fuse(block, boss).Shape();
+    const std::vector<int> edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+      return std::abs(at[1]) < 1e-9 && std::abs(at[2] - 10) < 1e-9;
+    });
+    ASSERT_EQ(edges.size(), 2U);
+
+    const FilletResult made = fillet(shape, edges, {.radius = 2});
+
+    testing::expect_sound(made);
+    EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+    ASSERT_EQ(made.solids.size(), 1U) << degrees;
+    if (!volume) volume = made.solids.front().volume;
+    EXPECT_NEAR(made.solids.front().volume, *volume, 1e-9 * *volume) << degrees;
+  }
 }
 
 // At its narrow end the face is as wide as the ball's contact is from the edge: that comes to the

@@ -197,6 +197,15 @@ class BlendSheet {
   TopoDS_Edge section(const PlacedStrip& of, const StripEnd& end);
   void cap_face(const HalfEdge& half, const Interval& part, int face, const TopoDS_Vertex& from,
                 const TopoDS_Vertex& to, bool touches = false);
+  /// Where a curve in a face goes over the line of the face's seam.
+  struct SeamMeeting {
+    int edge = 0;
+    int across = 0;        // 0: the seam has one u, 1: one v
+    double t = 0;          // of the curve
+    bool at_start = true;  // beyond that end of the seam
+  };
+  std::optional<SeamMeeting> seam_meeting(const EndCurve& curve, int face);
+  TopoDS_Vertex grown_seam(const SeamMeeting& seam, const Vec3& place, int face);
   const EdgeUseInFace& arriving(const Ring& ring, std::size_t sector) const;
   /// The border of a strip on a wall of a notch, and the edge over which it leaves the wall; null:
   /// it comes out of the notch.
