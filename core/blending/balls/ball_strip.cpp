@@ -42,7 +42,6 @@ struct Check {
 // A span with its samples; they are made once.
 struct FitSpan {
   Interval place;
-  bool after_break = false;  // begins at one
   std::vector<double> parameters, values;
   std::vector<Check> checks;
 };
@@ -76,7 +75,7 @@ class StripFitter {
   std::size_t columns() const { return 4 * static_cast<std::size_t>(form_.rows()) + 4; }
   std::vector<double> values_at(double parameter, bool after) const;
   std::vector<double> closing_rate() const;
-  FitSpan span_of(const Interval& place, bool after_break) const;
+  FitSpan span_of(const Interval& place) const;
   void begin_between(const Interval& breaks, std::vector<FitSpan>& known);
   int multiplicity_at(double knot) const;
   void fit();
@@ -118,11 +117,8 @@ StripFitter::StripFitter(const BallTrack& track, const Interval& range,
   const Interval domain = track.domain();
   closed_ = track.closed() && range.from == domain.from && range.to == domain.to;
   if (known.halved != form_.halved) known.spans.clear();
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    const std::size_t first = spans_.size();
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
     begin_between({breaks[i], breaks[i + 1]}, known.spans);
-    for (std::size_t k = first; k < spans_.size(); ++k) spans_[k].after_break = k == first && i > 0;
-  }
   if (!known.spans.empty()) level();
 }
 
@@ -140,13 +136,13 @@ void StripFitter::begin_between(const Interval& breaks, std::vector<FitSpan>& kn
   if (first != last && is_sliver(first->place.from - breaks.from, *first)) ++first;
   if (first != last && is_sliver(breaks.to - std::prev(last)->place.to, *std::prev(last))) --last;
   if (first == last) {
-    spans_.push_back(span_of(breaks, false));
+    spans_.push_back(span_of(breaks));
     return;
   }
   const Interval middle{first->place.from, std::prev(last)->place.to};
-  if (breaks.from < middle.from) spans_.push_back(span_of({breaks.from, middle.from}, false));
+  if (breaks.from < middle.from) spans_.push_back(span_of({breaks.from, middle.from}));
   spans_.insert(spans_.end(), std::make_move_iterator(first), std::make_move_iterator(last));
-  if (middle.to < breaks.to) spans_.push_back(span_of({middle.to, breaks.to}, false));
+  if (middle.to < breaks.to) spans_.push_back(span_of({middle.to, breaks.to}));
 }
 
 std::vector<double> StripFitter::values_at(double parameter, bool after) const {
@@ -176,8 +172,8 @@ std::vector<double> StripFitter::closing_rate() const {
   return rate;
 }
 
-FitSpan StripFitter::span_of(const Interval& place, bool after_break) const {
-  FitSpan span{place, after_break, {}, {}, {}};
+FitSpan StripFitter::span_of(const Interval& place) const {
+  FitSpan span{place, {}, {}, {}};
   for (int i = 0; i < kSamples; ++i) {
     const double t = 0.5 - 0.5 * std::cos((i + 0.5) * std::numbers::pi / kSamples);
     span.parameters.push_back(at(place, t));
@@ -281,20 +277,20 @@ void StripFitter::split(std::size_t span, int times) {
     const auto knot = [&](int k) {
       return k == count ? whole.to : at(whole, static_cast<double>(k) / count);
     };
-    parts.push_back(span_of({knot(i), knot(i + 1)}, i == 0 && spans_[span].after_break));
+    parts.push_back(span_of({knot(i), knot(i + 1)}));
   }
   const auto place = spans_.erase(spans_.begin() + static_cast<std::ptrdiff_t>(span));
   spans_.insert(place, std::make_move_iterator(parts.begin()),
                 std::make_move_iterator(parts.end()));
 }
 
-// Neighbours in a run differ in length by a factor of 2 at most: the error of a coarse span spreads
-// into fine ones, where it is divided by their length.
+// Neighbours differ in length by a factor of 2 at most, also at breaks, where they have values and
+// mostly rates in common: the error of a coarse span spreads into fine ones, where it is divided by
+// their length.
 void StripFitter::level() {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t i = 0; i + 1 < spans_.size(); ++i) {
-      if (spans_[i + 1].after_break) continue;
       const double ratio = length(spans_[i].place) / length(spans_[i + 1].place);
       if (ratio > kUneven || ratio < 1 / kUneven) {
         split(ratio > 1 ? i : i + 1, 1);
@@ -320,7 +316,7 @@ bool StripFitter::refine() {
       split(i, times[i]);
       changed = true;
     }
-  level();
+  if (changed) level();
   return changed;
 }
 

@@ -210,6 +210,28 @@ TEST(BallStrip, OverKnotLinesHasKnotsThere) {
   }
 }
 
+// A span that is finer than its neighbour behind a knot line takes over that one's error, divided
+// by its own length: it would only get finer.
+TEST(BallStrip, OverKnotLinesHasNeighboursOfAboutOneLength) {
+  Grid<Vec3> net(8, 8);
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j) net(i, j) = {double(i), double(j), i < 4 ? 0.0 : 0.3 * (i % 2)};
+  const BezierSurface floor = testing::uniform_cubic(net, false, false);
+  const BezierSurface wall = plane_patch({0, 3.6, -5}, {1, 0, 0}, {0, 0, 1}, {0, 8}, {0, 10});
+  const BallTrack track = track_through(whole_support(floor, 1), whole_support(wall, 1), 0.25,
+                                        {Vec2{2.5, 2.2}, Vec2{3.5, 5.2}})
+                              .value();
+  ASSERT_GT(track.breaks().size(), 2U);
+
+  const BallStrip strip = ball_strip(track, track.domain());
+
+  for (std::size_t i = 0; i + 2 < strip.knots.size(); ++i) {
+    const double ratio =
+        (strip.knots[i + 1] - strip.knots[i]) / (strip.knots[i + 2] - strip.knots[i + 1]);
+    EXPECT_LT(std::abs(std::log2(ratio)), 1.01) << strip.knots[i + 1];
+  }
+}
+
 TEST(BallStrip, OfAVariableRadiusTouchesItsSurfaces) {
   const BezierSurface floor = floor_face(), wall = wall_face();
   const BallSupport a = whole_support(floor, 1), b = whole_support(wall, 1);
