@@ -146,6 +146,35 @@ TEST(FilletAtAnInnerCorner, EndsThereWhereTheRimBehindHasNoRoom) {
   EXPECT_NEAR(made.solids.front().volume, made.volume_before + added - taken, 0.3 * kCut);
 }
 
+// A corner cut out of a block, with a bore beside it that leaves one rim of the cut no room. The
+// strip's contact comes to the end of the other fillet just where the edge itself ends.
+TEST(FilletAtACutCorner, EndsWhereItsContactAndItsEdgeMeetTheOtherFillet) {
+  for (const double radius : {0.9, 1.4, 1.5, 1.9}) {
+    const double width = 3.118754, depth = 2.301211, length = 5.357061;
+    const TopoDS_Shape block = BRepPrimAPI_MakeBox(60, 40, 11.145981).Shape();
+    const TopoDS_Shape corner =
+        BRepPrimAPI_MakeBox(gp_Pnt(60 - width, 40 - length, 11.145981 - depth), 20, 20, 20).Shape();
+    const gp_Ax2 axis({60, 40 - length - 3.5, -1}, gp::DZ());
+    const TopoDS_Shape bore = BRepPrimAPI_MakeCylinder(axis, 3.3, 20).Shape();
+    const TopoDS_Shape shape = BRepAlgoAPI_Cut(BRepAlgoAPI_Cut(block, corner).Shape(), bore);
+    const double floor = 11.145981 - depth;
+    std::vector<int> asked = edges_where(shape, EdgeKind::Concave, [&](const Vec3& at) {
+      return distance(at, {60 - width / 2, 40 - length, floor}) < 1e-6;
+    });
+    const std::vector<int> rim = edges_where(shape, EdgeKind::Convex, [&](const Vec3& at) {
+      return distance(at, {60, 40 - length / 2, floor}) < 1e-6;
+    });
+    ASSERT_EQ(asked.size() + rim.size(), 2U);
+    asked.insert(asked.end(), rim.begin(), rim.end());
+
+    const FilletResult made = fillet(shape, asked, {.radius = radius});
+
+    testing::expect_sound(made);
+    std::ranges::sort(asked);
+    EXPECT_EQ(made.edges, asked) << radius;
+  }
+}
+
 // A boss stands across an edge, which the fillet takes off beside it: the boss's side grows down to
 // the strip, wherever its seam is.
 TEST(FilletBesideABoss, IsTheSameWhereverItsSeamIs) {

@@ -183,6 +183,14 @@ bool BallWalker::grow_past(WalkedStrip& of, double t, int ahead) const {
   return true;
 }
 
+// How far apart in t places are that count as one.
+double BallWalker::same_place(const WalkedStrip& of, double t) const {
+  double speed = 0;
+  for (const RolledContact& each : of.strip.contacts)
+    speed = std::max(speed, each.curve->DN(t, 1).Magnitude());
+  return kSamePlace * options_.tolerance / speed;
+}
+
 // Both contacts at once, where they go over smooth edges at one place.
 WalkExit BallWalker::over_edges(const WalkedStrip& of, std::size_t side,
                                 const ContactCrossing& first,
@@ -216,7 +224,8 @@ WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double f
     }
     const auto off = off_edge(of, from, ahead);
     if (off && (!side || is_nearer(off->t, first[*side]->t))) return *off;
-    if ((goes_on_alike || ends_shared) && (!side || !is_nearer(first[*side]->t, edge_end)))
+    if ((goes_on_alike || ends_shared) &&
+        (!side || !is_nearer(first[*side]->t, edge_end - ahead * same_place(of, edge_end))))
       return {edge_end, {}, ends_shared};
     if (side && holds(of, first[*side]->t, *first[*side]))
       return onto_edge(of, *side, *first[*side], step);

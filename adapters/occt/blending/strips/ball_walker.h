@@ -101,6 +101,7 @@ class BallWalker {
                                         int step) const;
   WalkedStrip pair_strip(const WalkedStrip& of, const WalkExit& exit,
                          const std::array<int, 2>& faces, std::size_t place, bool as_loop = false);
+  double same_place(const WalkedStrip& of, double t) const;
   bool grow(WalkedStrip& of, bool at_start) const;
   bool grow_past(WalkedStrip& of, double t, int ahead) const;
   WalkExit over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
