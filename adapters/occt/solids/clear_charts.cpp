@@ -3,29 +3,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <compare>
 #include <numbers>
 #include <optional>
 
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools_ReShape.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <Geom2d_Line.hxx>
 #include <GeomAPI_IntCS.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <gp_Sphere.hxx>
-#include <gp_Torus.hxx>
+#include <TopoDS_Edge.hxx>
 
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/faces/elementary_faces.h"
+#include "adapters/occt/solids/free_charts.h"
 
 namespace blossom::occt {
 namespace {
@@ -35,15 +35,14 @@ using std::numbers::pi;
 // The c of the header. A choice: within it of a pole, longitudes are 16 times as dense as at the
 // equator.
 constexpr double kClear = 1.0 / 16;
-// Along a seam. Where it touches a surface, the look next to the place sees it unless the surface
-// bends so much more than the seam that it leaves it by kClear within half a step.
-constexpr int kLooks = 128;
-// Turns to choose from. A choice: each face near poles or seams rules out some.
-constexpr int kTurns = 12;
+// Turns to choose from. Of n multiples of the golden angle no two are nearer than 0.38 of an even
+// share: so no two of these are ruled out by one point that a seam has to keep off.
+constexpr int kTurns = static_cast<int>(0.38 * pi / kClear);
+// Of the distance to keep: the length of a stretch of a seam that is looked at as one. Where the
+// seam touches a surface, f and df/ds grow so little from one to the next that some are not clear.
+constexpr double kStretch = 0.25;
 
-using Looks = std::vector<gp_Pnt>;
-
-// A face of the other solid that may come near, in the frame of the one that is turned.
+// A face of the other solid that may come near, in the frame of a chart.
 struct Neighbour {
   Elementary surface;
   Bnd_Box box;
@@ -52,21 +51,15 @@ struct Neighbour {
 // What there is of the other solid, in that frame.
 struct Surroundings {
   std::vector<Neighbour> faces;
-  Looks passages;  // of its edges through the face that is turned
+  std::vector<Vec3> passages;  // of its edges through faces of the chart
 };
 
-// A whole sphere or torus about the z axis of its frame, which is right-handed. Its first seam lies
-// over the x axis. The other one of a torus goes about the z axis.
-struct Revolved {
-  TopoDS_Face face;
-  gp_Ax3 frame{};
-  bool is_sphere = false;
-  bool is_mirrored = false;  // longitudes are counted the other way round
-  double around = 0;         // from the axis to the middle of the tube; 0 of spheres
-  double radius = 0;
+// Of ends that are not clear with faces, and of seams with faces and passages; fewer is better.
+struct Hazards {
+  int ends = 0, seams = 0;
 
-  // The seam's largest distance from the axis.
-  double size() const { return around + radius; }
+  auto operator<=>(const Hazards&) const = default;
+  bool any() const { return ends + seams > 0; }
 };
 
 // With a sign, which changes where the surface is crossed.
@@ -84,239 +77,235 @@ double height_over(const Elementary& surface, const Vec3& point) {
   return 0;
 }
 
-gp_Trsf into(const gp_Ax3& frame) {
-  gp_Trsf made;
-  made.SetTransformation(frame);
+// The direction in which the height grows, by differences over a step.
+Vec3 rise(const Elementary& surface, const Vec3& point, double step) {
+  Vec3 made;
+  for (int k = 0; k < 3; ++k) {
+    Vec3 before = point, after = point;
+    before[k] -= step;
+    after[k] += step;
+    made[k] = (height_over(surface, after) - height_over(surface, before)) / (2 * step);
+  }
   return made;
+}
+
+Bnd_Box bounds_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, false);
+  return box;
 }
 
 // The face in a frame, as a copy that shares its geometry.
 TopoDS_Face seen_in(const gp_Ax3& frame, const TopoDS_Face& face) {
-  return TopoDS::Face(face.Moved(into(frame)));
+  gp_Trsf into;
+  into.SetTransformation(frame);
+  return TopoDS::Face(face.Moved(into));
 }
 
-// Whether a face has no edges but seams.
-bool is_whole(const TopoDS_Face& face) {
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-    if (!BRep_Tool::Degenerated(edge) && !BRep_Tool::IsClosed(edge, face)) return false;
-  }
-  return true;
+// Whether the seam lies in a face and crosses it: f vanishes, and so do its changes along the seam.
+bool is_border(const Seam& seam, double at, double step, const Elementary& face) {
+  const double before = std::max(at - step / seam.speed, seam.range.from);
+  const double after = std::min(at + step / seam.speed, seam.range.to);
+  for (const double place : {before, at, after})
+    if (std::abs(height_over(face, vec(seam.point(place)))) > Precision::Confusion()) return false;
+  const Vec3 point = vec(seam.point(at));
+  return norm(cross(rise(face, point, step), rise(seam.surface, point, step))) >= kClear;
 }
 
-std::optional<Revolved> revolved(const TopoDS_Face& face) {
-  const BRepAdaptor_Surface surface(face, false);
-  const bool sphere = surface.GetType() == GeomAbs_Sphere;
-  if ((!sphere && surface.GetType() != GeomAbs_Torus) || !is_whole(face)) return std::nullopt;
-  const gp_Ax3 own = sphere ? surface.Sphere().Position() : surface.Torus().Position();
-  return Revolved{face,
-                  gp_Ax3(own.Location(), own.Direction(), own.XDirection()),
-                  sphere,
-                  !own.Direct(),
-                  sphere ? 0 : surface.Torus().MajorRadius(),
-                  sphere ? surface.Sphere().Radius() : surface.Torus().MinorRadius()};
+// Whether some stretch of a seam between parameters lies ill. Along it f changes by no more than
+// its length.
+//
+// least    the distance to keep
+// f        of points, changes by no more than these move
+// box      f says nothing elsewhere
+// is_ill   whether a short stretch in whose middle |f| is less lies ill
+template <class Height, class IsIll>
+bool lies_ill(const Seam& seam, const Interval& part, double least, const Bnd_Box& box,
+              const Height& f, const IsIll& is_ill) {
+  const gp_Pnt middle = seam.point(at(part, 0.5));
+  const double reach = seam.speed * length(part) / 2;
+  Bnd_Box held(middle, middle);
+  held.SetGap(reach);
+  if (box.IsOut(held) || std::abs(f(vec(middle))) >= least + reach) return false;
+  if (2 * reach <= kStretch * least) return is_ill(part);
+  return lies_ill(seam, {part.from, at(part, 0.5)}, least, box, f, is_ill) ||
+         lies_ill(seam, {at(part, 0.5), part.to}, least, box, f, is_ill);
 }
 
-// How a chart is turned, in the frame of its face, and how far the seam of a torus about its axis
-// is moved along the tube.
-struct ChartTurn {
-  gp_Dir about = gp::DZ();
-  double angle = 0;
-  double along_tube = 0;
-
-  gp_Trsf within(const gp_Ax3& frame) const {
-    gp_Trsf made;
-    const gp_XYZ axis = about.X() * frame.XDirection().XYZ() +
-                        about.Y() * frame.YDirection().XYZ() + about.Z() * frame.Direction().XYZ();
-    made.SetRotation(gp_Ax1(frame.Location(), gp_Dir(axis)), angle);
-    return made;
-  }
-};
-
-// A sphere's axes follow a spiral over half of it, which spreads them evenly, as the corners of a
-// torus are spread over its chart; turns by the golden angle have no symmetry.
-ChartTurn turn_of(const Revolved& of, int number) {
-  const double golden = (number + 0.5) * pi * (3 - std::sqrt(5.0));
-  const double share = (number + 0.5) / kTurns;
-  if (!of.is_sphere) return {gp::DZ(), golden, 2 * pi * share};
-  return {gp_Dir(std::cos(golden), std::sin(golden), 0), std::acos(share)};
-}
-
-// Looks at the seam from pole to pole, or round the tube from the corner on.
-Looks seam_over_x(const Revolved& of, const ChartTurn& turn) {
-  Looks looks;
-  const gp_Trsf turned = turn.within(gp_Ax3());
-  for (int look = 0; look <= kLooks; ++look) {
-    const double part = static_cast<double>(look) / kLooks;
-    const double v = of.is_sphere ? pi * (part - 0.5) : 2 * pi * part + turn.along_tube;
-    looks.push_back(gp_Pnt(of.around + of.radius * std::cos(v), 0, of.radius * std::sin(v))
-                        .Transformed(turned));
-  }
-  return looks;
-}
-
-// Likewise at that of a torus about its axis.
-Looks seam_about_axis(const Revolved& of, const ChartTurn& turn) {
-  Looks looks;
-  const double far = of.around + of.radius * std::cos(turn.along_tube);
-  const double high = of.radius * std::sin(turn.along_tube);
-  for (int look = 0; look <= kLooks; ++look) {
-    const double u = turn.angle + 2 * pi * look / kLooks;
-    looks.emplace_back(far * std::cos(u), far * std::sin(u), high);
-  }
-  return looks;
-}
-
-std::vector<Looks> seams_of(const Revolved& of, const ChartTurn& turn) {
-  if (of.is_sphere) return {seam_over_x(of, turn)};
-  return {seam_over_x(of, turn), seam_about_axis(of, turn)};
-}
-
-bool is_close(const Neighbour& face, const gp_Pnt& look, double least) {
-  return !face.box.IsOut(look) && std::abs(height_over(face.surface, vec(look))) < least;
-}
-
-// Whether the seam about the axis of a torus follows a face as it is: there it is a border.
-bool is_followed(const Revolved& of, const Neighbour& face) {
-  if (of.is_sphere) return false;
-  return std::ranges::all_of(seam_about_axis(of, {}), [&](const gp_Pnt& look) {
-    return is_close(face, look, kClear * of.size());
+bool lies_ill(const Seam& seam, double least, const Neighbour& face) {
+  const auto f = [&](const Vec3& point) { return height_over(face.surface, point); };
+  return lies_ill(seam, seam.range, least, face.box, f, [&](const Interval& part) {
+    const double way = seam.speed * length(part);
+    const double change = f(vec(seam.point(part.to))) - f(vec(seam.point(part.from)));
+    return std::abs(change) < kClear * way &&
+           !is_border(seam, at(part, 0.5), way / 2, face.surface);
   });
 }
 
-// Where edges of the other solid go through the face, in its frame.
-Looks passages_of(const Revolved& of, const Bnd_Box& own, const TrimTool& other) {
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(seen_in(of.frame, of.face));
+bool lies_ill(const Seam& seam, double least, const Vec3& passage) {
+  Bnd_Box box(pnt(passage), pnt(passage));
+  box.SetGap(least);
+  const auto f = [&](const Vec3& point) { return distance(point, passage); };
+  return lies_ill(seam, seam.range, least, box, f, [](const Interval&) { return true; });
+}
+
+// How many ends of seams lie ill. Where one of the seams is a border the corner lies in it; poles
+// are singular whatever goes through them.
+int ill_ends(const std::vector<Seam>& seams, double least, const Neighbour& face) {
+  const bool is_followed = std::ranges::any_of(seams, [&](const Seam& seam) {
+    return is_border(seam, seam.range.from, kStretch * least / 2, face.surface) ||
+           is_border(seam, seam.range.to, kStretch * least / 2, face.surface);
+  });
+  int count = 0;
+  for (const Seam& seam : seams)
+    for (const bool last : {false, true}) {
+      const gp_Pnt end = seam.point(last ? seam.range.to : seam.range.from);
+      const bool is_near =
+          !face.box.IsOut(end) && std::abs(height_over(face.surface, vec(end))) < least;
+      count += is_near && (seam.at_pole[last] || !is_followed);
+    }
+  return count;
+}
+
+Hazards hazards_of(const std::vector<Seam>& seams, double least, const Surroundings& near) {
+  Hazards all;
+  for (const Neighbour& face : near.faces) {
+    all.ends += ill_ends(seams, least, face);
+    for (const Seam& seam : seams) all.seams += lies_ill(seam, least, face);
+  }
+  for (const Vec3& passage : near.passages)
+    for (const Seam& seam : seams) all.seams += lies_ill(seam, least, passage);
+  return all;
+}
+
+// Where edges of some faces go through the faces of a chart, in its frame.
+std::vector<Vec3> passages_of(const FreeChart& chart, const std::vector<TopoDS_Face>& others) {
   TopTools_IndexedMapOfShape edges;
-  for (const TopoDS_Face& face : other.faces)
-    TopExp::MapShapes(seen_in(of.frame, face), TopAbs_EDGE, edges);
-  Looks passages;
-  for (int number = 1; number <= edges.Extent(); ++number) {
-    const TopoDS_Edge& edge = TopoDS::Edge(edges(number));
-    Interval range;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
-    if (curve.IsNull()) continue;
-    Bnd_Box box;
-    BRepBndLib::Add(edge, box, false);
-    if (box.IsOut(own)) continue;
-    const GeomAPI_IntCS through(new Geom_TrimmedCurve(curve, range.from, range.to), surface);
-    for (int i = 1; through.IsDone() && i <= through.NbPoints(); ++i)
-      passages.push_back(through.Point(i));
+  for (const TopoDS_Face& face : others)
+    TopExp::MapShapes(seen_in(chart.frame, face), TopAbs_EDGE, edges);
+  std::vector<Vec3> passages;
+  for (const TopoDS_Face& face : chart.faces) {
+    const TopoDS_Face seen = seen_in(chart.frame, face);
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(seen);
+    const Bnd_Box own = bounds_of(seen);
+    for (int number = 1; number <= edges.Extent(); ++number) {
+      const TopoDS_Edge& edge = TopoDS::Edge(edges(number));
+      Interval range;
+      const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+      if (curve.IsNull() || bounds_of(edge).IsOut(own)) continue;
+      const GeomAPI_IntCS through(new Geom_TrimmedCurve(curve, range.from, range.to), surface);
+      for (int i = 1; through.IsDone() && i <= through.NbPoints(); ++i)
+        passages.push_back(vec(through.Point(i)));
+    }
   }
   return passages;
 }
 
-Surroundings surroundings_of(const Revolved& of, const TrimTool& other) {
-  Bnd_Box own;
-  BRepBndLib::Add(seen_in(of.frame, of.face), own, false);
-  Surroundings near{{}, passages_of(of, own, other)};
-  for (const TopoDS_Face& face : other.faces) {
-    const TopoDS_Face seen = seen_in(of.frame, face);
+// boxes   of the other's faces
+Surroundings surroundings_of(const FreeChart& chart, const TrimTool& other,
+                             const std::vector<Bnd_Box>& boxes) {
+  const double least = kClear * chart.size;
+  Bnd_Box own = bounds_of(compound_of(chart.faces));
+  own.Enlarge(least);
+  std::vector<TopoDS_Face> reached;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (!boxes[i].IsOut(own)) reached.push_back(other.faces[i]);
+  Surroundings near{{}, passages_of(chart, reached)};
+  for (const TopoDS_Face& face : reached) {
+    const TopoDS_Face seen = seen_in(chart.frame, face);
     const auto surface = elementary_of(BRep_Tool::Surface(seen));
     if (!surface) continue;
-    Bnd_Box box;
-    BRepBndLib::Add(seen, box, false);
-    box.Enlarge(kClear * of.size());
-    if (!box.IsOut(own) && !is_followed(of, {*surface, box})) near.faces.push_back({*surface, box});
+    near.faces.push_back({*surface, bounds_of(seen)});
+    near.faces.back().box.Enlarge(least);
   }
   return near;
 }
 
-enum class Clear : char { Nothing, Ends, All };
-
-// How a seam lies to all of them.
-Clear clearness(const Looks& seam, double least, const Surroundings& near) {
-  const double way = 2 * seam[0].Distance(seam[1]);
-  Clear clear = Clear::All;
-  for (std::size_t look = 0; look < seam.size(); ++look) {
-    for (const Neighbour& face : near.faces) {
-      if (!is_close(face, seam[look], least)) continue;
-      if (look == 0 || look + 1 == seam.size()) return Clear::Nothing;
-      const double rise = height_over(face.surface, vec(seam[look + 1])) -
-                          height_over(face.surface, vec(seam[look - 1]));
-      if (std::abs(rise) < kClear * way) clear = Clear::Ends;
-    }
-    if (std::ranges::any_of(near.passages, [&](const gp_Pnt& passage) {
-          return seam[look].Distance(passage) < least;
-        }))
-      clear = Clear::Ends;
+// A sphere's axes follow a spiral over half of it, which spreads them evenly, as the corners of a
+// torus are spread over its chart; turns by the golden angle have no symmetry.
+ChartMove move_of(ChartKind kind, int number) {
+  const double golden = std::fmod((number + 0.5) * pi * (3 - std::sqrt(5.0)), 2 * pi);
+  const double share = (number + 0.5) / kTurns;
+  switch (kind) {
+    case ChartKind::Ball: return {gp_Dir(std::cos(golden), std::sin(golden), 0), std::acos(share)};
+    case ChartKind::Ring: return {gp::DZ(), golden, 2 * pi * share};
+    case ChartKind::Turned: break;
   }
-  return clear;
+  return {gp::DZ(), golden};
 }
 
-// Of all its seams when it is turned.
-Clear clearness(const Revolved& of, const ChartTurn& turn, const Surroundings& near) {
-  Clear clear = Clear::All;
-  for (const Looks& seam : seams_of(of, turn))
-    clear = std::min(clear, clearness(seam, kClear * of.size(), near));
-  return clear;
-}
-
-// Nothing if none is better than to leave the face as it is.
-std::optional<ChartTurn> better_turn(const Revolved& of, const Surroundings& near) {
-  Clear best = clearness(of, {}, near);
-  std::optional<ChartTurn> found;
-  for (int number = 0; number < kTurns && best != Clear::All; ++number) {
-    const ChartTurn turn = turn_of(of, number);
-    const Clear clear = clearness(of, turn, near);
-    if (clear <= best) continue;
-    best = clear;
-    found = turn;
+// Nothing if none is better than to leave the chart as it is.
+std::optional<ChartMove> better_move(const FreeChart& chart, const Surroundings& near) {
+  const double least = kClear * chart.size;
+  Hazards best = hazards_of(chart.seams, least, near);
+  std::optional<ChartMove> found;
+  for (int number = 0; number < kTurns && best.any(); ++number) {
+    const ChartMove move = move_of(chart.kind, number);
+    const Hazards left = hazards_of(moved_seams(chart, move), least, near);
+    if (left >= best) continue;
+    best = left;
+    found = move;
   }
   return found;
 }
 
-// The same torus with its corner elsewhere in its chart, and the seams through it.
-TopoDS_Face with_seams_at(const TopoDS_Face& face, double u, double v) {
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  const double tolerance = BRep_Tool::MaxTolerance(face, TopAbs_EDGE);
-  const BRep_Builder builder;
-  TopoDS_Face made;
-  builder.MakeFace(made, surface, BRep_Tool::Tolerance(face));
-  TopoDS_Vertex corner;
-  builder.MakeVertex(corner, surface->Value(u, v), BRep_Tool::MaxTolerance(face, TopAbs_VERTEX));
-  const auto seam = [&](const Handle(Geom_Curve) & curve, double from, const gp_Pnt2d& forward,
-                        const gp_Pnt2d& backward, const gp_Dir2d& along) {
-    TopoDS_Edge edge;
-    builder.MakeEdge(edge, curve, tolerance);
-    builder.UpdateEdge(edge, new Geom2d_Line(forward, along), new Geom2d_Line(backward, along),
-                       made, tolerance);
-    builder.Continuity(edge, made, made, GeomAbs_CN);
-    builder.Add(edge, corner.Oriented(TopAbs_FORWARD));
-    builder.Add(edge, corner.Oriented(TopAbs_REVERSED));
-    builder.Range(edge, from, from + 2 * pi);
-    return edge;
-  };
-  const TopoDS_Edge round = seam(surface->VIso(v), u, {0, v}, {0, v + 2 * pi}, gp_Dir2d(1, 0));
-  const TopoDS_Edge over = seam(surface->UIso(u), v, {u + 2 * pi, 0}, {u, 0}, gp_Dir2d(0, 1));
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  for (const TopoDS_Shape& edge :
-       {TopoDS_Shape(round), TopoDS_Shape(over), round.Reversed(), over.Reversed()})
-    builder.Add(wire, edge);
-  wire.Closed(true);
-  builder.Add(made, wire);
-  return TopoDS::Face(made.Oriented(face.Orientation()));
+// Faces that are as they were moved, and still whole.
+using Whole = std::vector<std::pair<TopoDS_Face, TopoDS_Face>>;
+
+// Whether an edge that a face has got by a move bounds others as well that are not whole.
+bool hangs_on(const std::pair<TopoDS_Face, TopoDS_Face>& face, const TopTools_MapOfShape& whole,
+              const TopTools_IndexedDataMapOfShapeListOfShape& faces_of_edge) {
+  TopTools_MapOfShape before;
+  for (TopExp_Explorer it(face.second, TopAbs_EDGE); it.More(); it.Next()) before.Add(it.Current());
+  for (TopExp_Explorer it(face.first, TopAbs_EDGE); it.More(); it.Next()) {
+    if (before.Contains(it.Current())) continue;
+    for (const TopoDS_Shape& other : faces_of_edge.FindFromKey(it.Current()))
+      if (!whole.Contains(other)) return true;
+  }
+  return false;
 }
 
-TopoDS_Face turned_face(const Revolved& of, const ChartTurn& turn) {
-  if (!of.is_sphere)
-    return with_seams_at(of.face, of.is_mirrored ? -turn.angle : turn.angle, turn.along_tube);
-  BRepBuilderAPI_Transform turned(of.face, turn.within(of.frame), true);
-  return TopoDS::Face(turned.Shape());
+// Those that can become what they were.
+Whole whole_faces(const ClearCharts& charts, const SolidTrimResult& result) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge;
+  TopTools_MapOfShape made, whole;
+  for (const SolidFace& face : result.faces) {
+    made.Add(face.face);
+    TopExp::MapShapesAndAncestors(face.face, TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
+  }
+  Whole faces;
+  for (const auto& face : charts.turned)
+    if (made.Contains(face.first)) {
+      faces.push_back(face);
+      whole.Add(face.first);
+    }
+  const auto is_held = [&](const auto& face) {
+    return hangs_on(face, whole, faces_of_edge) && whole.Remove(face.first);
+  };
+  while (std::erase_if(faces, is_held) > 0) {
+  }
+  return faces;
 }
 
 }  // namespace
 
 ClearCharts clear_charts(const TrimTool& solid, const TrimTool& other) {
   ClearCharts made{solid, {}};
+  const std::vector<FreeChart> charts = free_charts(solid.faces);
+  if (charts.empty()) return made;
+  std::vector<Bnd_Box> boxes;
+  for (const TopoDS_Face& face : other.faces) boxes.push_back(bounds_of(face));
+  BRepTools_ReShape moves;
+  bool any = false;
+  for (const FreeChart& chart : charts)
+    if (const auto move = better_move(chart, surroundings_of(chart, other, boxes))) {
+      move_chart(chart, *move, moves);
+      any = true;
+    }
+  if (!any) return made;
   for (TopoDS_Face& face : made.solid.faces) {
-    const auto whole = revolved(face);
-    if (!whole) continue;
-    const auto turn = better_turn(*whole, surroundings_of(*whole, other));
-    if (!turn) continue;
-    made.turned.emplace_back(turned_face(*whole, *turn), face);
-    face = made.turned.back().first;
+    const TopoDS_Face before = std::exchange(face, TopoDS::Face(moves.Apply(face)));
+    if (!face.IsSame(before)) made.turned.emplace_back(face, before);
   }
   return made;
 }
@@ -324,7 +313,7 @@ ClearCharts clear_charts(const TrimTool& solid, const TrimTool& other) {
 void turn_back(const ClearCharts& charts, SolidTrimResult& result) {
   if (charts.turned.empty()) return;
   BRepTools_ReShape back;
-  for (const auto& [now, before] : charts.turned) back.Replace(now, before);
+  for (const auto& [now, before] : whole_faces(charts, result)) back.Replace(now, before);
   for (TopoDS_Solid& solid : result.solids) solid = TopoDS::Solid(back.Apply(solid));
   for (SolidFace& face : result.faces) face.face = TopoDS::Face(back.Apply(face.face));
 }

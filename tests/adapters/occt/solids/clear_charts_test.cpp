@@ -6,22 +6,29 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <gp_Ax2.hxx>
 
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/queries/cone_volumes.h"
 
 namespace blossom::occt {
@@ -36,6 +43,17 @@ bool holds(const SolidTrimResult& made, const TopoDS_Face& face) {
     for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
       if (it.Current().IsEqual(face)) return true;
   return false;
+}
+
+TopoDS_Solid solid_of(const std::vector<TopoDS_Face>& faces) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  for (const TopoDS_Face& face : faces) builder.Add(shell, face);
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  return solid;
 }
 
 // Of the nearest vertex or edge of a face that is no point.
@@ -94,13 +112,52 @@ TEST(ClearCharts, KeepMaterialAndTolerances) {
   }
 }
 
-TEST(ClearCharts, LeaveFacesThatHaveEdges) {
+TEST(ClearCharts, LeaveFacesThatDoNotGoRound) {
   const TrimTool half = trim_tool(BRepPrimAPI_MakeSphere(2, std::numbers::pi).Shape());
   const TrimTool box = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-3, 0, 1), gp_Pnt(3, 9, 2)).Shape());
   EXPECT_TRUE(clear_charts(half, box).turned.empty());
-  const TrimTool dome = trim_tool(BRepPrimAPI_MakeSphere(2, 0, std::numbers::pi / 2).Shape());
-  EXPECT_TRUE(clear_charts(dome, box).turned.empty());
   EXPECT_TRUE(clear_charts(box, half).turned.empty());
+}
+
+// The tube closes along its way, which is no turn about the ring's axis.
+TEST(ClearCharts, LeaveTubesThatEndInPlanes) {
+  const TrimTool tube = trim_tool(BRepPrimAPI_MakeTorus(3, 1, std::numbers::pi).Shape());
+  const TrimTool box = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-1, 4, -1), gp_Pnt(1, 6, 1)).Shape());
+  EXPECT_TRUE(clear_charts(tube, box).turned.empty());
+}
+
+// A bar touches the rod along its seam, as far as it goes. The discs get the new rims.
+TEST(ClearCharts, KeepSeamsOfRodsOffWhatTheyTouch) {
+  const TrimTool rod = trim_tool(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  const TopoDS_Shape bar = BRepPrimAPI_MakeBox(gp_Pnt(2, -1, 1), gp_Pnt(3, 1, 4)).Shape();
+  const ClearCharts made = clear_charts(rod, trim_tool(bar));
+  ASSERT_EQ(made.turned.size(), 3u);
+  EXPECT_GT(distance(made.solid.faces.front(), bar, TopAbs_VERTEX), 2.0 / 16);
+  EXPECT_TRUE(BRepCheck_Analyzer(compound_of(made.solid.faces)).IsValid());
+  EXPECT_TRUE(is_closed_solid(solid_of(made.solid.faces)));
+  ConeVolumes cones({0, 0, 0});
+  double volume = 0;
+  for (const TopoDS_Face& face : made.solid.faces) volume += cones.of(face);
+  EXPECT_NEAR(volume, 20 * std::numbers::pi, 1e-9);
+}
+
+// Where a wall goes through the axis the seam is its border, all along or for a part.
+TEST(ClearCharts, LeaveASeamInAWallThroughTheAxis) {
+  const TrimTool rod = trim_tool(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  const TrimTool box = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-9, 0, -9), gp_Pnt(9, 9, 9)).Shape());
+  EXPECT_TRUE(clear_charts(rod, box).turned.empty());
+}
+
+// What has rims in common turns with them, unless more than planes and rims meets there.
+TEST(ClearCharts, TurnFacesThatMeetInRimsTogether) {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(2, 5).Shape();
+  const TopoDS_Shape tip = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(0, 0, 5), gp::DZ()), 2, 0, 3).Shape();
+  const TrimTool pencil = trim_tool(BRepAlgoAPI_Fuse(rod, tip).Shape());
+  ASSERT_EQ(pencil.faces.size(), 3u);
+  const TrimTool bar = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(2, -1, 1), gp_Pnt(3, 1, 4)).Shape());
+  const ClearCharts made = clear_charts(pencil, bar);
+  EXPECT_EQ(made.turned.size(), 3u);
+  EXPECT_TRUE(is_closed_solid(solid_of(made.solid.faces)));
 }
 
 // The torus stays as it is, and its seams go elsewhere.
@@ -177,6 +234,18 @@ TEST(ClearCharts, LetRingsMeetWhereASeamIsTouched) {
     ASSERT_EQ(made.solids.size(), 1u);
     EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front()).IsValid());
   }
+}
+
+// Its seam touches the box beside it.
+TEST(ClearCharts, RodsAreTurnedBackWhereNothingIsDivided) {
+  const TrimTool rod = trim_tool(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  const TrimTool bar = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(2, -1, 1), gp_Pnt(3, 1, 4)).Shape());
+  ASSERT_EQ(clear_charts(rod, bar).turned.size(), 3u);
+  const SolidTrimResult made = trim_solids(rod, {bar}, SolidOperation::Cut);
+  ASSERT_TRUE(made.obstacles.empty()) << made.obstacles.front();
+  for (const TopoDS_Face& face : rod.faces) EXPECT_TRUE(holds(made, face));
+  ASSERT_EQ(made.solids.size(), 1u);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front()).IsValid());
 }
 
 // It stands on its pole.

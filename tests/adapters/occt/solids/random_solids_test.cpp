@@ -306,6 +306,11 @@ TEST(RandomSolids, ATorussSeamMayLieAnyhow) {
   for (const int seed : {40439, 42588}) expect_right(seed);
 }
 
+// Where a line or a rim touches a wall along it, or curves meet beside it.
+TEST(RandomSolids, TheSeamOfARodMayLieAnyhow) {
+  for (const int seed : {61093, 70911, 97505, 97763}) expect_right(seed);
+}
+
 // What it is compared with then is counted.
 TEST(RandomSolids, OpenCascadeMayCrash) { expect_right(60867); }
 
