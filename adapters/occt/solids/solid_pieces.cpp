@@ -109,9 +109,11 @@ void add_curves(const FaceIntersection& pair, const CommonEdges& common, double 
   }
 }
 
-void tell_borders(const FaceSplitter& from, int cut, FaceSplitter& to, int as) {
+using Telling = void (FaceSplitter::*)(int cut, const CutStop& stop);
+
+void tell_borders(const FaceSplitter& from, int cut, FaceSplitter& to, int as, Telling tell) {
   for (const CutStop& stop : from.stops(cut))
-    if (!stop.vertex.IsNull()) to.meet(as, stop);
+    if (!stop.vertex.IsNull()) (to.*tell)(as, stop);
 }
 
 // At the first and the last stop of a cut.
@@ -121,12 +123,13 @@ double end_uncertainty(const std::vector<CutStop>& stops) {
 
 // Every curve is divided at the same places on both sides.
 void exchange_stops(Side& a, Side& b, std::vector<CurveUse>& uses) {
-  for (const CurveUse& use : uses) {
-    FaceSplitter &on_a = *a.faces[use.face_a].splitter(), &on_b = *b.faces[use.face_b].splitter();
-    const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);
-    tell_borders(on_a, cut_a, on_b, cut_b);
-    tell_borders(on_b, cut_b, on_a, cut_a);
-  }
+  for (const Telling tell : {&FaceSplitter::unite_borders, &FaceSplitter::meet})
+    for (const CurveUse& use : uses) {
+      FaceSplitter &on_a = *a.faces[use.face_a].splitter(), &on_b = *b.faces[use.face_b].splitter();
+      const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);
+      tell_borders(on_a, cut_a, on_b, cut_b, tell);
+      tell_borders(on_b, cut_b, on_a, cut_a, tell);
+    }
   for (Side* side : {&a, &b})
     for (const FaceDivision& face : side->faces)
       if (face.splitter() != nullptr) face.splitter()->tidy();

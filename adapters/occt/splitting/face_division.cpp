@@ -24,11 +24,11 @@ bool holds(const Place& place, const Vec3& point) {
   return true;
 }
 
-// The size of the node that holds a point: curves that touch there end in it, but not all in one
-// point; 0 if none does.
+// The size of the node, or of the contact in a point, that holds a point: curves that touch there
+// end in it, but not all in one point; 0 if none does.
 double node_reach(const std::vector<Place>& places, const Vec3& point) {
   for (const Place& place : places)
-    if (place.kind == PlaceKind::Node && holds(place, point))
+    if ((place.kind == PlaceKind::Node || place.kind == PlaceKind::Touch) && holds(place, point))
       return distance(place.box_low, place.box_high);
   return 0;
 }

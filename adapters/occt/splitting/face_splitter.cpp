@@ -71,6 +71,19 @@ void join_corners(FaceTrims& trims, double tolerance) {
     }
 }
 
+// The place of a curve that is nearest to a point, and how far that is from the curve if it went on
+// straight beyond its ends: what touches an edge may end before a vertex that it leads to.
+PlanarFoot nearest_of_line(const PlanarCurve& curve, const Vec2& point) {
+  PlanarFoot foot = nearest(curve, point);
+  const Interval domain = curve.domain();
+  if (foot.parameter != domain.from && foot.parameter != domain.to) return foot;
+  const PlanarJet end = jet_at(curve, foot.parameter);
+  const Vec2 beyond = point - end.point;
+  const Vec2 out = unit(end.first) * (foot.parameter == domain.to ? 1.0 : -1.0);
+  if (dot(beyond, out) > 0) foot.distance = std::abs(cross(beyond, out));
+  return foot;
+}
+
 }  // namespace
 
 bool FaceSplitter::is_near(const PlanarCurve& curve, double s, double t, double reach) {
@@ -103,7 +116,11 @@ FaceSplitter::FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, E
   for (LiftedCut& lifted_cut : lifted_cuts_) add_wire_stops(lifted_cut);
 }
 
+// By now all faces have said where cuts cross the edges that they share: what touches an edge
+// beside such a place meets it there.
 void FaceSplitter::settle() {
+  for (LiftedCut& lifted_cut : lifted_cuts_)
+    for (const TrimMeeting& touch : lifted_cut.touches) add_wire_stop(lifted_cut, touch);
   for (LiftedCut& lifted_cut : lifted_cuts_) {
     add_end_stop(lifted_cut, lifted_cut.curve.domain().from);
     add_end_stop(lifted_cut, lifted_cut.curve.domain().to);
@@ -132,7 +149,7 @@ void FaceSplitter::add_lifted_cuts() {
     const PlanarCurve curve = chart_of(cuts_[i]);
     for (const Vec2& shift : period_shifts(trims_, curve))
       lifted_cuts_.push_back(
-          {static_cast<int>(i), shift, transformed(curve, {1, 1}, shift), {}, {}, {}});
+          {static_cast<int>(i), shift, transformed(curve, {1, 1}, shift), {}, {}, {}, {}});
   }
 }
 
@@ -198,7 +215,7 @@ bool FaceSplitter::add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meet
     const Vec2 point = point_at(of.curve, splits_.parameter(edge_of(of), split));
     const double length = distance(point, met);
     if (length > tangency_length(trims_, reach(lifted_cut))) continue;
-    const PlanarFoot foot = nearest(lifted_cut.curve, point);
+    const PlanarFoot foot = nearest_of_line(lifted_cut.curve, point);
     if (foot.distance > (is_known ? std::max(allowed, 8 * reach(lifted_cut)) : most)) continue;
     const bool keeps = std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75}, [&](double part) {
       const double there =
@@ -229,15 +246,21 @@ bool FaceSplitter::add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meet
   return true;
 }
 
+void FaceSplitter::add_wire_stop(LiftedCut& lifted_cut, const TrimMeeting& meeting) {
+  if (add_known_stop(lifted_cut, meeting)) return;
+  const int vertex = vertex_of(meeting, 0, inverse_sine(lifted_cut, meeting));
+  lifted_cut.stops.emplace_back(meeting.at, vertex);
+  widen_touch(lifted_cut, meeting, vertex);
+}
+
 void FaceSplitter::add_wire_stops(LiftedCut& lifted_cut) {
   check_limit(limit_, kDividing);
   ClippedCurve found = clipped(trims_, lifted_cut.curve, reach(lifted_cut));
-  for (const TrimMeeting& meeting : found.meetings) {
-    if (add_known_stop(lifted_cut, meeting)) continue;
-    const int vertex = vertex_of(meeting, 0, inverse_sine(lifted_cut, meeting));
-    lifted_cut.stops.emplace_back(meeting.at, vertex);
-    widen_touch(lifted_cut, meeting, vertex);
-  }
+  for (const TrimMeeting& meeting : found.meetings)
+    if (inverse_sine(lifted_cut, meeting) < kMaxDisagreement)
+      add_wire_stop(lifted_cut, meeting);
+    else
+      lifted_cut.touches.push_back(meeting);
   lifted_cut.runs = std::move(found.runs);
   if (!found.complete)
     note(lifted_cut.cut, "runs so close to an edge that not all crossings are sure");

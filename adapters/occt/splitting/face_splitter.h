@@ -109,6 +109,11 @@ class FaceSplitter {
   /// the other side of the cut, which is to be divided at the same places.
   std::vector<CutStop> stops(int cut) const;
 
+  /// Says that the border's vertex `stop.vertex` of the other face, where the cut ends there, is
+  /// one with that of this face's border, if it ends there as well. Call it for all faces before
+  /// `meet`: what is one for two faces is one for all.
+  void unite_borders(int cut, const CutStop& stop);
+
   /// Records that on the other face this cut ends at the border's vertex `stop.vertex`. If this
   /// face has a stop of the cut within that vertex's tolerance or the uncertainty, both are one
   /// vertex, even where the edges' tolerances took them farther apart. Call it for all stops, then
@@ -144,6 +149,7 @@ class FaceSplitter {
     std::vector<TrimRun> runs;
     std::vector<std::pair<double, int>> stops;  // parameters and vertices
     std::vector<double> met;                    // parameters of stops on the other side's borders
+    std::vector<TrimMeeting> touches;           // of wires, whose places are the least certain
   };
   // An edge of another shape in the chart of the face.
   struct LaidCurve {
@@ -166,6 +172,7 @@ class FaceSplitter {
   void add_lifted_cuts();
   void widen_touch(const LiftedCut& lifted_cut, const TrimMeeting& meeting, int vertex);
   void add_wire_stops(LiftedCut& lifted_cut);
+  void add_wire_stop(LiftedCut& lifted_cut, const TrimMeeting& meeting);
   void add_end_stop(LiftedCut& lifted_cut, double end);
   bool add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meeting);
   bool has_stop(const LiftedCut& lifted_cut, double at) const;
@@ -173,6 +180,7 @@ class FaceSplitter {
   void finish_stops(LiftedCut& lifted_cut);
   void tidy_stops(LiftedCut& lifted_cut, double reach) const;
   int stop_near(const LiftedCut& lifted_cut, double parameter, double reach) const;
+  int met_stop(const LiftedCut& lifted_cut, const CutStop& stop) const;
   void tie(int vertex, const TopoDS_Vertex& other);
   int border_vertex(const TopoDS_Vertex& other);
   void unite(int kept, int left);

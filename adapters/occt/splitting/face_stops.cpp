@@ -57,12 +57,30 @@ int FaceSplitter::stop_near(const LiftedCut& lifted_cut, double parameter, doubl
   return nearest;
 }
 
+int FaceSplitter::met_stop(const LiftedCut& lifted_cut, const CutStop& stop) const {
+  return stop_near(lifted_cut, stop.parameter,
+                   std::max(8 * reach(lifted_cut), uncertainty_of(stop)));
+}
+
+void FaceSplitter::unite_borders(int cut, const CutStop& stop) {
+  for (const LiftedCut& lifted_cut : lifted_cuts_) {
+    if (lifted_cut.cut != cut) continue;
+    const int near = met_stop(lifted_cut, stop);
+    if (near < 0) continue;
+    const int vertex = lifted_cut.stops[static_cast<std::size_t>(near)].second;
+    const Vertex& at = vertices_[static_cast<std::size_t>(vertex)];
+    if (at.split < 0) continue;
+    const TopoDS_Vertex own = splits_.vertex(edge_of(coedge(at.loop, at.coedge)), at.split);
+    if (BRep_Tool::Pnt(own).Distance(BRep_Tool::Pnt(stop.vertex)) <= reach(lifted_cut))
+      splits_.unite(own, stop.vertex);
+  }
+}
+
 void FaceSplitter::meet(int cut, const CutStop& stop) {
   const double uncertainty = uncertainty_of(stop);
   for (LiftedCut& lifted_cut : lifted_cuts_) {
     if (lifted_cut.cut != cut) continue;
-    const int near =
-        stop_near(lifted_cut, stop.parameter, std::max(8 * reach(lifted_cut), uncertainty));
+    const int near = met_stop(lifted_cut, stop);
     if (near < 0) continue;
     auto& own = lifted_cut.stops[static_cast<std::size_t>(near)];
     Vertex& at = vertices_[static_cast<std::size_t>(own.second)];

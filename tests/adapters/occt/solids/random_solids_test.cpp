@@ -294,7 +294,7 @@ TEST(RandomSolids, RimsMayPassEachOtherByAFewTolerances) {
 }
 
 TEST(RandomSolids, SolidsMayBeTurnedByAFewTolerances) {
-  for (const int seed : {3234, 41806, 50664, 60695}) expect_right(seed);
+  for (const int seed : {3234, 41806, 50664, 60695, 70334}) expect_right(seed);
 }
 
 // In its own chart a curve goes through a pole or touches the seam.
@@ -309,6 +309,12 @@ TEST(RandomSolids, ATorussSeamMayLieAnyhow) {
 // Where a line or a rim touches a wall along it, or curves meet beside it.
 TEST(RandomSolids, TheSeamOfARodMayLieAnyhow) {
   for (const int seed : {61093, 70911, 97505, 97763}) expect_right(seed);
+}
+
+// What crosses a wall at a rim touches the rim if the wall does, and ends beside it in two places
+// of one contact, or before the vertex in which an edge of the wall meets the rim.
+TEST(RandomSolids, ACurveMayTouchARim) {
+  for (const int seed : {40725, 60681, 70175, 70548, 80290}) expect_right(seed);
 }
 
 // What it is compared with then is counted.
