@@ -16,6 +16,7 @@
 #include "core/surfaces/assembly/surface_assembly.h"
 #include "core/surfaces/retry/exchanged_order.h"
 #include "core/surfaces/retry/finer_tolerance.h"
+#include "core/surfaces/retry/near_origin.h"
 #include "core/surfaces/retry/shorter_patches.h"
 
 namespace blossom {
@@ -190,6 +191,16 @@ SurfaceIntersection in_best_order(const BoxedSurface& a, const BoxedSurface& b,
   return exchanged(at_best_tolerance(b, a, exchanged_options), a.surface, b.surface);
 }
 
+SurfaceIntersection near_origin(const BezierSurface& a, const BezierSurface& b, const Vec3& origin,
+                                const IntersectionOptions& options) {
+  const BezierSurface near_a = seen_from(origin, a);
+  const BezierSurface other = &a == &b ? BezierSurface{} : seen_from(origin, b);
+  const BezierSurface& near_b = &a == &b ? near_a : other;
+  return moved_back(origin,
+                    in_best_order({near_a, PatchBoxes(near_a)}, {near_b, PatchBoxes(near_b)},
+                                  seen_from(origin, options)));
+}
+
 }  // namespace
 
 SurfaceIntersection intersect(const BezierSurface& a, const BezierSurface& b,
@@ -200,7 +211,10 @@ SurfaceIntersection intersect(const BezierSurface& a, const BezierSurface& b,
   SurfaceIntersection result;
   with_threads(options.threads, [&] {
     const BoxedSurface boxed_a{a, PatchBoxes(a, "a")}, boxed_b{b, PatchBoxes(b, "b")};
-    result = in_best_order(boxed_a, boxed_b, options);
+    const Vec3 origin =
+        far_origin(joined(boxed_a.boxes.all(), boxed_b.boxes.all()), options.tolerances.point);
+    result = origin == Vec3{} ? in_best_order(boxed_a, boxed_b, options)
+                              : near_origin(a, b, origin, options);
   });
   return result;
 }

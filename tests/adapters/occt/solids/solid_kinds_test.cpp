@@ -258,6 +258,16 @@ TEST(SolidKinds, ABoxMayStandOnTheEndOfABentPipe) {
   expect_volumes(pipe, 160 * kPi * kPi, box, 180, 0);
 }
 
+// Their curves cross in nodes, which are told by squares of coordinates.
+TEST(SolidKinds, EqualRodsMayCrossFarFromTheOrigin) {
+  const auto rod = [](const gp_Dir& along) {
+    const gp_Pnt middle(-1e6, 1e6, 1e3);
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(middle.Translated(-4 * gp_Vec(along)), along), 1, 8)
+        .Shape();
+  };
+  expect_volumes(rod(gp::DZ()), 8 * kPi, rod(gp_Dir(0.6, 0, 0.8)), 8 * kPi, 16 / (3 * 0.6));
+}
+
 // The circle in the side x = 0 and the seam end in the corner (0, 8, 0), where they touch edges; by
 // what the ball is too high they cross these 3e-6 from there.
 TEST(SolidKinds, WhatTouchesAnEdgeInACornerMayCrossItBesideThat) {
