@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Geom_Curve.hxx>
@@ -17,6 +16,7 @@
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/faces/face_groups.h"
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/edge_sides.h"
@@ -60,9 +60,7 @@ using Parts = std::vector<TopoDS_Shape>;
 // A body with what is asked about it.
 class AskedBody {
  public:
-  explicit AskedBody(const TopoDS_Shape& shape) : shape_(shape) {
-    BRepBndLib::Add(shape, box_, Standard_False);  // with the tolerances
-  }
+  explicit AskedBody(const TopoDS_Shape& shape) : shape_(shape), box_(bounds_of(shape)) {}
 
   const Bnd_Box& box() const { return box_; }
 

@@ -7,13 +7,13 @@
 #include <map>
 #include <memory>
 
-#include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/queries/depth.h"
@@ -25,8 +25,7 @@ namespace {
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 Box box_of(const TopoDS_Shape& shape) {
-  Bnd_Box found;
-  BRepBndLib::Add(shape, found, Standard_False);  // with the tolerances
+  const Bnd_Box found = bounds_of(shape);
   Box box;
   if (!found.IsVoid())
     found.Get(box.low[0], box.low[1], box.low[2], box.high[0], box.high[1], box.high[2]);

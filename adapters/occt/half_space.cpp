@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <Bnd_Box.hxx>
@@ -14,6 +13,7 @@
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/hulls.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -40,8 +40,7 @@ gp_Pln plane_of(const Plane& plane) {
 }
 
 CoveringPlane covering(const Plane& plane, const TopoDS_Shape& part) {
-  Bnd_Box box;
-  BRepBndLib::Add(part, box, Standard_False);
+  const Bnd_Box box = bounds_of(part);
   if (box.IsVoid() || box.IsOpen()) throw BadModel("the part has no finite extent");
   const double margin = std::sqrt(box.SquareExtent());
   CoveringPlane found{plane_of(plane), {}, {}, margin};

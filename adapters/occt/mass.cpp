@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/trim_tool.h"
 
@@ -33,8 +33,7 @@ Tensor inertia_of(const Tensor& second) {
 
 // A point amid the body, so that cones from there are small.
 Vec3 middle_of(const TopoDS_Shape& body) {
-  Bnd_Box box;
-  BRepBndLib::Add(body, box, Standard_False);
+  const Bnd_Box box = bounds_of(body);
   if (box.IsVoid() || box.IsOpen()) return {};
   return vec(0.5 * (box.CornerMin().XYZ() + box.CornerMax().XYZ()));
 }

@@ -8,10 +8,10 @@
 #include <map>
 #include <optional>
 
-#include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/face_colours.h"
 
 namespace blossom::meshes {
@@ -20,8 +20,7 @@ namespace {
 constexpr double kSizePart = 1e-3;  // of the diagonal, where no deviation is given
 
 double diagonal_of(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, Standard_False);
+  const Bnd_Box box = occt::bounds_of(shape);
   return box.IsVoid() ? 1 : std::sqrt(box.SquareExtent());
 }
 

@@ -7,7 +7,6 @@
 #include <map>
 #include <stdexcept>
 
-#include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp.hxx>
@@ -19,6 +18,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/edge_borders.h"
+#include "adapters/occt/convert/hulls.h"
 #include "core/base/parallel.h"
 
 namespace blossom::occt {
@@ -87,8 +87,7 @@ class FaceSizes {
   double of(int face) {
     const auto [at, is_new] = sizes_.try_emplace(face, 0);
     if (is_new) {
-      Bnd_Box box;
-      BRepBndLib::Add(numbers_.faces(face), box, Standard_False);
+      const Bnd_Box box = bounds_of(numbers_.faces(face));
       if (!box.IsVoid()) at->second = std::sqrt(box.SquareExtent());
     }
     return at->second;

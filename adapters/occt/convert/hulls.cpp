@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include <BRepBndLib.hxx>
 #include <BRep_CurveRepresentation.hxx>
 #include <BRep_GCurve.hxx>
 #include <BRep_ListIteratorOfListOfCurveRepresentation.hxx>
@@ -28,6 +29,7 @@
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -334,6 +336,35 @@ bool add_hull(const TopoDS_Face& face, std::vector<Vec3>& hull) {
 bool has_end(const std::vector<Vec3>& hull) {
   return !hull.empty() &&
          std::all_of(hull.begin(), hull.end(), [](const Vec3& p) { return norm(p) < kEndless; });
+}
+
+namespace {
+
+// Where an angle of the tube is negative, as in tori of FreeCAD, Open CASCADE counts its quarters
+// from the wrong end.
+void add_torus(const TopoDS_Face& face, Bnd_Box& box) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (surface.IsNull() || !basis_of(surface)->IsKind(STANDARD_TYPE(Geom_ToroidalSurface))) return;
+  std::vector<Vec3> hull;
+  if (!add_hull(face, hull)) return;
+  Bnd_Box own;
+  for (const Vec3& p : hull) own.Add(pnt(p).Transformed(face.Location().Transformation()));
+  own.SetGap(BRep_Tool::Tolerance(face));
+  box.Add(own);
+}
+
+}  // namespace
+
+Bnd_Box bounds_of(const TopoDS_Shape& shape, BoxKind kind) {
+  Bnd_Box box;
+  if (shape.IsNull()) return box;
+  if (kind == BoxKind::Least)
+    BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
+  else
+    BRepBndLib::Add(shape, box, Standard_False);
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    add_torus(TopoDS::Face(it.Current()), box);
+  return box;
 }
 
 HullBound placed_hull(std::vector<Vec3> hull, const gp_Trsf& place) {

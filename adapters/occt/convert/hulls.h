@@ -5,8 +5,10 @@
 
 #include <vector>
 
+#include <Bnd_Box.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
 #include <gp_Trsf.hxx>
 
 #include "core/distance.h"
@@ -31,5 +33,14 @@ bool has_end(const std::vector<Vec3>& hull);
 
 /// The points where they are placed, with a margin for roundings.
 HullBound placed_hull(std::vector<Vec3> hull, const gp_Trsf& place);
+
+enum class BoxKind {
+  Quick,
+  Least,  ///< minimized over the shape, which takes milliseconds
+};
+
+/// A box that holds a shape with its tolerances: Open CASCADE's, but for faces on tori, of which
+/// that may hold a part alone. Void if there is nothing in the shape.
+Bnd_Box bounds_of(const TopoDS_Shape& shape, BoxKind kind = BoxKind::Quick);
 
 }  // namespace blossom::occt

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepBndLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -43,8 +42,7 @@ constexpr long kMaxCells = 20'000;
 
 // Of a box that is not the least, but holds all of the shape.
 double size_of(const TopoDS_Shape& shape) {
-  Bnd_Box found;
-  BRepBndLib::Add(shape, found, Standard_False);
+  const Bnd_Box found = bounds_of(shape);
   if (found.IsVoid() || found.IsOpen()) throw BadModel("the shape has no end, or nothing in it");
   Box box;
   found.Get(box.low[0], box.low[1], box.low[2], box.high[0], box.high[1], box.high[2]);

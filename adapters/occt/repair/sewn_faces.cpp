@@ -7,7 +7,6 @@
 #include <map>
 #include <string>
 
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -24,6 +23,7 @@
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_groups.h"
 #include "adapters/occt/faces/point_inside.h"
@@ -127,7 +127,7 @@ std::vector<ClosedShell> closed_shells(const Sewn& sewn, ConeVolumes& volumes) {
       shell.faces.push_back(TopoDS::Face(face));
       volume += volumes.of(shell.faces.back());
       skin += std::abs(area(shell.faces.back()));
-      BRepBndLib::Add(face, shell.box, Standard_False);
+      shell.box.Add(bounds_of(face));
     }
     if (std::abs(volume) <= shell.within * skin) continue;
     if (volume < 0) turn(shell.faces);
@@ -183,8 +183,7 @@ SewnSolid ordered(const TopoDS_Solid& solid, const Sewn& sewn) {
 }
 
 Vec3 middle_of(const std::vector<TopoDS_Face>& faces) {
-  Bnd_Box box;
-  BRepBndLib::Add(compound_of(faces), box, Standard_False);
+  const Bnd_Box box = bounds_of(compound_of(faces));
   if (box.IsVoid() || box.IsOpen()) return {};
   return vec(0.5 * (box.CornerMin().XYZ() + box.CornerMax().XYZ()));
 }

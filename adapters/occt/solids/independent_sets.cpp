@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 
@@ -12,6 +11,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/distance.h"
 #include "adapters/occt/queries/solid_rays.h"
 
@@ -28,9 +28,7 @@ constexpr long kBudget = 5'000;
 class SolidContacts::Neighbour {
  public:
   explicit Neighbour(const TopoDS_Solid& solid)
-      : solid_(solid), own_(BRep_Tool::MaxTolerance(solid, TopAbs_EDGE)) {
-    BRepBndLib::Add(solid, box_, Standard_False);  // with the tolerances
-  }
+      : solid_(solid), box_(bounds_of(solid)), own_(BRep_Tool::MaxTolerance(solid, TopAbs_EDGE)) {}
 
   bool is_apart_from(Neighbour& other, double tolerance) {
     Bnd_Box around = box_;
@@ -59,8 +57,8 @@ class SolidContacts::Neighbour {
   }
 
   TopoDS_Solid solid_;
+  Bnd_Box box_;  // with the tolerances
   double own_;
-  Bnd_Box box_;
   std::unique_ptr<MeasuredShape> measured_;
 };
 

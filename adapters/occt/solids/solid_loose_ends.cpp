@@ -6,7 +6,6 @@
 #include <optional>
 #include <sstream>
 
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Tool.hxx>
@@ -15,6 +14,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/convert/hulls.h"
 #include "core/base/tolerances.h"
 
 namespace blossom::occt {
@@ -41,8 +41,7 @@ std::vector<BoxedEdge> boxed_edges(const TopoDS_Face& face) {
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge edge = TopoDS::Edge(it.Current());
     if (BRep_Tool::Degenerated(edge)) continue;
-    Bnd_Box box;
-    BRepBndLib::Add(edge, box, false);
+    Bnd_Box box = bounds_of(edge);
     box.Enlarge(reach_of(edge));
     all.push_back({edge, box});
   }

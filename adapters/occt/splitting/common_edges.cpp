@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include <BRepBndLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_CurveRepresentation.hxx>
 #include <BRep_TEdge.hxx>
@@ -16,6 +15,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
@@ -119,9 +119,7 @@ void CommonEdges::ask_limit() const {
 Bnd_Box CommonEdges::box_of(const TopoDS_Shape& shape, double margin) {
   if (!boxes_.IsBound(shape)) {
     ask_limit();
-    Bnd_Box least;
-    BRepBndLib::AddOptimal(shape, least, Standard_False, Standard_False);
-    boxes_.Bind(shape, least);
+    boxes_.Bind(shape, bounds_of(shape, BoxKind::Least));
   }
   Bnd_Box box = boxes_.Find(shape);
   box.Enlarge(margin);

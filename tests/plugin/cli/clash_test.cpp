@@ -267,6 +267,15 @@ TEST_F(ClashCommand, MeasuresInstancesWhereTheyArePlaced) {
   EXPECT_NEAR(pair_in(report, "solid 2", "solid 3")["distance"][1], askew, 1e-9);
 }
 
+// As FreeCAD makes tori: Open CASCADE's box of one has no height then, and the two do not meet.
+TEST_F(ClashCommand, SeesATorusOfAnyAngles) {
+  const TopoDS_Shape ring =
+      BRepPrimAPI_MakeTorus(3, 1, -std::numbers::pi, std::numbers::pi).Shape();
+  const std::string file =
+      file_of({{"ring", ring}, {"block", box(2.5, -0.5, 0.5, 1, 1, 1)}}, "ring.step");
+  EXPECT_EQ(pair_in(report_of({"clash", file}), "ring", "block")["relation"], "penetrates");
+}
+
 TEST_F(ClashCommand, RefusesAModelOfOnePart) {
   const Finished run = blossom({"clash", file_of({{"a", box(0, 0, 0, 1, 1, 1)}}, "one.step")});
   EXPECT_EQ(run.code, 2);

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -19,6 +18,7 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/validity/solid_validity.h"
 #include "adapters/occt/soundness.h"
@@ -154,8 +154,7 @@ std::vector<TopoDS_Face> strangers(const FilletedSolid& made, std::size_t place,
 void check_apart(const FilletedSolid& made, const IntersectionOptions& options,
                  const std::function<void()>& tick) {
   std::vector<Bnd_Box> boxes(made.faces.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    BRepBndLib::Add(made.faces[i].face, boxes[i], Standard_False);
+  for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = bounds_of(made.faces[i].face);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const FilletFace& blend = made.faces[i];
     if (blend.from > 0) continue;

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <optional>
 
-#include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
@@ -17,6 +16,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/common_edges.h"
@@ -30,8 +30,7 @@ constexpr double kMargin = 1.1;  // of a gap: what is so much farther counts as 
 constexpr std::array kLooks{0.0, 0.25, 0.5, 0.75, 1.0};  // at a run
 
 Bnd_Box box_of(const TopoDS_Shape& shape, double margin) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);
+  Bnd_Box box = bounds_of(shape);
   box.Enlarge(margin);
   return box;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
@@ -19,6 +18,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
 #include "core/math/interval.h"
 
@@ -59,8 +59,7 @@ double stated_by(const TopoDS_Face& face, double point) {
 std::vector<StatedFace> stated_by(const TrimTool& solid, double point) {
   std::vector<StatedFace> all;
   for (const TopoDS_Face& face : solid.faces) {
-    all.push_back({stated_by(face, point), {}});
-    BRepBndLib::Add(face, all.back().box, false);
+    all.push_back({stated_by(face, point), bounds_of(face)});
   }
   return all;
 }
@@ -86,7 +85,7 @@ std::vector<CorneredEdge> cornered_edges(const TrimTool& solid) {
     if (made.curve.curve.IsNull() || from.IsNull() || to.IsNull()) continue;
     const double least = std::min(BRep_Tool::Tolerance(from), BRep_Tool::Tolerance(to));
     made.tolerance = std::min(stated(least), kEdgeShare * length_of(edge));
-    BRepBndLib::Add(edge, made.box, false);
+    made.box = bounds_of(edge);
     all.push_back(std::move(made));
   }
   return all;

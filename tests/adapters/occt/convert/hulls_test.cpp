@@ -21,9 +21,11 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Cylinder.hxx>
@@ -117,6 +119,33 @@ TEST(Hulls, TurnBackwardsAboutLeftHandedAxes) {
 
 // A face 1 x 1 on a cylinder of radius 1000, which begins so near to the seam that its surface is
 // taken from there: 6e-6 more than the face.
+TopoDS_Face face_of(const TopoDS_Shape& shape) {
+  return TopoDS::Face(TopExp_Explorer(shape, TopAbs_FACE).Current());
+}
+
+// FreeCAD makes tori with angles of the tube from -180 to 180 degrees, and Open CASCADE's own box
+// has no height then.
+TEST(Bounds, HoldToriWhateverTheAngleOfTheTube) {
+  using std::numbers::pi;
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 2, -1)), 0.7);
+  for (const gp_Trsf& move : {gp_Trsf(), turn})
+    for (const double from : {-pi, -0.5 * pi, -0.3, 0.0, 0.4 * pi})
+      for (const double angle : {2 * pi, 0.5 * pi}) {
+        const TopoDS_Face face = face_of(BRepPrimAPI_MakeTorus(3, 1, from, from + angle).Shape());
+        const TopoDS_Shape moved = face.Moved(TopLoc_Location(move));
+        for (const BoxKind kind : {BoxKind::Quick, BoxKind::Least}) {
+          const Bnd_Box box = bounds_of(moved, kind);
+          for (int i = 0; i <= 12; ++i)
+            for (int j = 0; j <= 12; ++j) {
+              const gp_Pnt p =
+                  BRep_Tool::Surface(face)->Value(2 * pi * i / 12, from + angle * j / 12);
+              EXPECT_FALSE(box.IsOut(p.Transformed(move))) << from << ' ' << angle;
+            }
+        }
+      }
+}
+
 TEST(Hulls, HoldWhatSnappingToTheSeamAdds) {
   const double radius = 1000, from = 6e-9;
   const gp_Cylinder cylinder(gp_Ax3(), radius);
