@@ -7,7 +7,6 @@
 #include <numbers>
 #include <optional>
 
-#include <BRepBndLib.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -24,6 +23,7 @@
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/solids/free_charts.h"
 
@@ -87,12 +87,6 @@ Vec3 rise(const Elementary& surface, const Vec3& point, double step) {
     made[k] = (height_over(surface, after) - height_over(surface, before)) / (2 * step);
   }
   return made;
-}
-
-Bnd_Box bounds_of(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);
-  return box;
 }
 
 // The face in a frame, as a copy that shares its geometry.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Geom_Curve.hxx>
@@ -17,6 +16,7 @@
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/tessellation.h"
 #include "core/math/index.h"
 
@@ -109,7 +109,7 @@ std::vector<Vec3> edge_points(const TopoDS_Edge& edge) {
 
 double size_of(const std::vector<TopoDS_Face>& faces) {
   Bnd_Box box;
-  for (const TopoDS_Face& face : faces) BRepBndLib::Add(face, box, Standard_False);
+  for (const TopoDS_Face& face : faces) box.Add(occt::bounds_of(face));
   return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
 
+#include "adapters/occt/convert/hulls.h"
 #include "plugin/cli/picture/view.h"
 
 namespace blossom::cli {
@@ -21,7 +21,7 @@ constexpr double kLargestAngle = 1;  // radians; a full turn keeps six sides
 
 std::vector<Vec3> box_corners(const std::vector<TopoDS_Face>& faces) {
   Bnd_Box box;
-  for (const TopoDS_Face& face : faces) BRepBndLib::Add(face, box, Standard_False);
+  for (const TopoDS_Face& face : faces) box.Add(occt::bounds_of(face));
   std::vector<Vec3> corners;
   if (box.IsVoid()) return corners;
   std::array<Vec3, 2> ends;
