@@ -24,6 +24,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <gp_Circ.hxx>
@@ -179,6 +180,27 @@ TEST(FilletOfMixedCorners, FeetOfARibAreRoundedAfterItsSlantingEdge) {
   const FilletResult second = fillet(with_first, feet, {.radius = 3});
   ASSERT_EQ(second.solids.size(), 1U);
   expect_volume(made, second.solids.front().volume, 1e-9);
+}
+
+// The top of a bar on a plate, flush with the plate's side: where it is flush the foot is the one
+// concave edge of three, at its other end the bar's rim is the one convex edge. As the rims go on
+// in each other around the bar only one of these can come first.
+TEST(FilletOfMixedCorners, TheTopOfABarFlushWithItsPlateIsRounded) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(20, 5, 20).Shape();
+  const TopoDS_Shape bar = BRepPrimAPI_MakeBox(gp_Pnt(15, 5, 6), 5, 10, 6).Shape();
+  ShapeUpgrade_UnifySameDomain unified(BRepAlgoAPI_Fuse(plate, bar).Shape());
+  unified.Build();
+  const TopoDS_Shape shape = unified.Shape();
+  std::vector<int> edges;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (std::abs(each.middle[2] - 12) < 1e-9 && each.middle[1] > 5 - 1e-9)
+      edges.push_back(each.number);
+  ASSERT_EQ(edges.size(), 4U);
+
+  const FilletResult made = fillet(shape, edges, {.radius = 2});
+
+  expect_sound(made);
+  EXPECT_TRUE(made.notes.empty()) << made.notes.front();
 }
 
 // The top and the side of a bar, cut by planes at different slants: what lies beside the edge goes

@@ -21,7 +21,8 @@ class Order {
  public:
   Order(const BodyEdges& body, const FilletEdges& edges, const FilletOptions& options);
   std::vector<FilletEdges> groups(const FilletEdges& edges) const;
-  std::map<std::size_t, int> groups_after() const;
+  using Rules = std::vector<std::pair<int, int>>;  // which edge comes before which
+  std::map<std::size_t, int> groups_after(const Rules& rules) const;
 
  private:
   std::size_t class_of(int edge) const {
@@ -31,7 +32,7 @@ class Order {
 
   std::map<int, int> places_;         // of edges
   std::vector<std::size_t> classes_;  // by place
-  std::vector<std::pair<int, int>> before_;
+  Rules before_, before_asked_;       // by all edges at a vertex, by those that have fillets
 };
 
 // Of three edges that have balls, the one with a larger ball than the two others, whose balls are
@@ -79,14 +80,19 @@ Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOption
           if (each != larger && edge != larger) unite(edge, each);
         if (edge == larger)
           for (const int each : alike)
-            if (each != larger) before_.emplace_back(edge, each);
+            if (each != larger)
+              for (Rules* of : {&before_, &before_asked_}) of->emplace_back(edge, each);
         continue;
       }
       for (const int each : alike) unite(edge, each);
-      const bool first = ring.size() <= kOrdered && of_kind == 1 &&
-                         (of_other_kind > 1 || (of_other_kind == 1 && concave));
-      if (!first) continue;
-      for (const int each : others) before_.emplace_back(edge, each);
+      if (ring.size() > kOrdered) continue;
+      const auto comes_first = [concave](std::size_t alike_count, std::size_t other_count) {
+        return alike_count == 1 && (other_count > 1 || (other_count == 1 && concave));
+      };
+      for (const int each : others) {
+        if (comes_first(of_kind, of_other_kind)) before_.emplace_back(edge, each);
+        if (comes_first(alike.size(), others.size())) before_asked_.emplace_back(edge, each);
+      }
     }
 }
 
@@ -97,14 +103,14 @@ void Order::unite(int a, int b) {
 
 // How many groups come after each class at least, by the longest way of rules from it; empty if
 // rules contradict each other.
-std::map<std::size_t, int> Order::groups_after() const {
+std::map<std::size_t, int> Order::groups_after(const Rules& rules) const {
   std::map<std::size_t, int> level;
   for (const std::size_t each : classes_) level[each] = 0;
   bool changed = true;
   for (std::size_t round = 0; changed; ++round) {
     if (round > level.size()) return {};
     changed = false;
-    for (const auto& [a, b] : before_) {
+    for (const auto& [a, b] : rules) {
       const std::size_t first = class_of(a), second = class_of(b);
       if (first == second) return {};
       if (level[first] > level[second]) continue;
@@ -118,7 +124,8 @@ std::map<std::size_t, int> Order::groups_after() const {
 // Each as late as can be: those that are to be in no group before others are made at once with all
 // that they may come to meet where blends go on along the ends of others.
 std::vector<FilletEdges> Order::groups(const FilletEdges& edges) const {
-  const std::map<std::size_t, int> after = groups_after();
+  std::map<std::size_t, int> after = groups_after(before_);
+  if (after.empty()) after = groups_after(before_asked_);
   if (after.empty()) return {edges};
   std::map<int, FilletEdges> sorted;
   for (const auto& [edge, concave] : edges)
