@@ -216,6 +216,8 @@ def endless(document):
 
 
 def control_c_is_an_error_of_the_object(document):
+    # Shells let what they start in the background ignore it.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     obj = endless(document)
     hit = threading.Thread(
         target=lambda: (Endless.started.wait(), os.kill(os.getpid(), signal.SIGINT))
