@@ -12,6 +12,7 @@
 #include "core/base/not_zero.h"
 #include "core/forms/iso_line.h"
 #include "core/math/functions/quadrature.h"
+#include "core/surfaces/retry/near_origin.h"
 
 namespace blossom {
 namespace {
@@ -316,9 +317,26 @@ Vec<double, 6> squares_of(const Vec3& s) {
   return {s[0] * s[0], s[1] * s[1], s[2] * s[2], s[0] * s[1], s[0] * s[2], s[1] * s[2]};
 }
 
+// Normals are sums of differences of control points, with roundings of the coordinates. A surface
+// whose coordinates round to more than kValueRounding of it is moved to the origin by one of its
+// points; nothing for others.
+std::optional<IntegrandSurface> near_origin(const IntegrandSurface& surface) {
+  if (surface.spans.patches.empty()) return std::nullopt;
+  const auto& points = surface.spans.patches(0, 0).points.values();
+  const Vec3 origin = projected(points.front());
+  const double size = distance(origin, projected(points.back()));
+  if (max_norm(origin) * std::numeric_limits<double>::epsilon() <= kValueRounding * size)
+    return std::nullopt;
+  IntegrandSurface moved = surface;
+  moved.spans = seen_from(origin, std::move(moved.spans));
+  return moved;
+}
+
 }  // namespace
 
-double trimmed_area(const IntegrandSurface& surface, const FaceTrims& trims, int cells) {
+double trimmed_area(const IntegrandSurface& given, const FaceTrims& trims, int cells) {
+  const std::optional<IntegrandSurface> moved = near_origin(given);
+  const IntegrandSurface& surface = moved ? *moved : given;
   const Integrand<1> density = [](const Vec3&, const Vec3& normal) {
     return Sample<1>{{norm(normal)}, {}};
   };

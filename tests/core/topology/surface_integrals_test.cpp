@@ -64,6 +64,25 @@ TEST(TrimmedArea, IsTheSameAlongKnownLinesAndWithoutThem) {
   }
 }
 
+// Of a high degree with weights: normals at 1e7 are known no better than to 1e-7 there.
+TEST(TrimmedArea, IsTheSameFarFromTheOrigin) {
+  constexpr int kDegree = 13;
+  const auto area_at = [&](double far) {
+    BezierSurface surface{{0, 1}, {0, 1}};
+    surface.rational = true;
+    surface.patches = Grid<RationalBezierPatch>(1, 1);
+    Grid<Vec4>& points = surface.patches(0, 0).points;
+    points = Grid<Vec4>(kDegree + 1, 2);
+    for (int i = 0; i <= kDegree; ++i)
+      for (int j = 0; j < 2; ++j)
+        points(i, j) =
+            Vec4{far + 2 * std::cos(0.3 * i), 2 * std::sin(0.3 * i) - far, far + 3 * j, 1} *
+            (1 + 0.5 * std::cos(i));
+    return trimmed_area(exact(surface, DensityLines::Any), rectangle({0.1, 0.9}, {0.2, 0.7}));
+  };
+  EXPECT_NEAR(area_at(1e7), area_at(0), 1e-6);
+}
+
 TEST(TrimmedArea, IsNoneBeyondTheBorderOfTheSurface) {
   const BezierSurface cylinder = turned_surface(straight_meridian(kFrame, 2, 0, 1, {0, 3}), {0, 1});
   const FaceTrims trims = rectangle({-1e-3, 1}, {0, 3 + 1e-3});
