@@ -93,7 +93,8 @@ FillAnswer fill_holes(const Input& input, const FillWishes& wishes,
   }
   for (const std::string& message : found.left_out)
     holes.all.push_back({.loop = {}, .filled = {}, .reason = "edges", .message = message});
-  if (holes.all.empty()) throw occt::BadModel(input.name + ": no edge is open, so there is no hole");
+  if (holes.all.empty())
+    throw occt::BadModel(input.name + ": no edge is open, so there is no hole");
   if (holes.filled() == 0) throw occt::BadModel(input.name + ": " + holes.all.front().message);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   holes.seconds = took.count();

@@ -14,10 +14,10 @@ namespace blossom::occt {
 /// edge in the last group that it may be in.
 ///
 /// Where of three edges at a vertex one of its kind meets the others, whether these all have
-/// fillets or not, it comes first: its strip ends in a face that the others have in common, and they
-/// go on smoothly along that end. Edges of one kind that meet are of one group, as their corners
-/// need all of them. Where these rules contradict each other only edges that have fillets count, and
-/// where they still do all edges are one group.
+/// fillets or not, it comes first: its strip ends in a face that the others have in common, and
+/// they go on smoothly along that end. Edges of one kind that meet are of one group, as their
+/// corners need all of them. Where these rules contradict each other only edges that have fillets
+/// count, and where they still do all edges are one group.
 ///
 /// But of three edges of one kind at a vertex, two of which have one radius, the third one comes
 /// first if its own is larger: the smaller ball rolls on along the end of the larger one's strip,
