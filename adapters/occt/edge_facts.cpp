@@ -6,12 +6,12 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/body_edges.h"
+#include "adapters/occt/convert/curves.h"
 
 namespace blossom::occt {
 namespace {
@@ -62,7 +62,7 @@ std::vector<EdgeFacts> edge_facts(const TopoDS_Shape& shape) {
     if (facts.kind == EdgeKind::Degenerate) continue;
     guarded("measuring edge " + std::to_string(facts.number), [&] {
       const BRepAdaptor_Curve curve(facts.edge);
-      facts.length = GCPnts_AbscissaPoint::Length(curve);
+      facts.length = edge_length(facts.edge);
       const gp_Pnt p = curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter()));
       facts.middle = {p.X(), p.Y(), p.Z()};
     });

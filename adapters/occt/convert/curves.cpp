@@ -5,13 +5,18 @@
 
 #include <algorithm>
 
+#include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
+#include <GeomAdaptor_Curve.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Ellipse.hxx>
 #include <Geom_Hyperbola.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Parabola.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <Precision.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -102,6 +107,20 @@ Handle(Geom2d_Curve) basis_of(Handle(Geom2d_Curve) curve) {
   while (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve))
     curve = trimmed->BasisCurve();
   return curve;
+}
+
+double edge_length(const TopoDS_Edge& edge) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  if (curve.IsNull()) return Precision::Infinite();
+  // Open CASCADE's of a periodic spline that is used outside of its first period may be 0.
+  if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(basis_of(curve));
+      !spline.IsNull() && spline->IsPeriodic()) {
+    const auto part = Handle(Geom_BSplineCurve)::DownCast(spline->Copy());
+    part->Segment(range.from, std::min(range.to, range.from + spline->Period()));
+    return GCPnts_AbscissaPoint::Length(GeomAdaptor_Curve(part));
+  }
+  return GCPnts_AbscissaPoint::Length(GeomAdaptor_Curve(curve, range.from, range.to));
 }
 
 }  // namespace blossom::occt

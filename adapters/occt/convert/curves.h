@@ -64,4 +64,7 @@ Handle(Geom_Curve) to_occt(const Conic& conic);
 Handle(Geom_Curve) basis_of(Handle(Geom_Curve) curve);
 Handle(Geom2d_Curve) basis_of(Handle(Geom2d_Curve) curve);
 
+/// The length of an edge's curve in space, model units; infinite if there is none.
+double edge_length(const TopoDS_Edge& edge);
+
 }  // namespace blossom::occt

@@ -14,13 +14,13 @@
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_Curve.hxx>
 #include <Precision.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/curve_breaks.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -68,13 +68,10 @@ class Strip {
 
  private:
   std::vector<double> smooth_ends() const {
-    std::vector<double> ends;
-    TColStd_Array1OfReal of_curve(1, curve_.NbIntervals(GeomAbs_CN) + 1);
-    curve_.Intervals(of_curve, GeomAbs_CN);
-    TColStd_Array1OfReal of_image(1, image_.NbIntervals(GeomAbs_CN) + 1);
-    image_.Intervals(of_image, GeomAbs_CN);
-    ends.insert(ends.end(), of_curve.begin(), of_curve.end());
-    ends.insert(ends.end(), of_image.begin(), of_image.end());
+    std::vector<double> ends{range_.from, range_.to};
+    for (const auto& breaks :
+         {breaks_of(curve_.Curve(), range_), breaks_of(image_.Curve(), range_)})
+      ends.insert(ends.end(), breaks.begin(), breaks.end());
     std::ranges::sort(ends);
     return ends;
   }

@@ -10,11 +10,9 @@
 #include <optional>
 #include <utility>
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
@@ -26,6 +24,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/point_inside.h"
@@ -255,8 +254,7 @@ bool is_covered(const Shell& shell) {
     const TopoDS_Edge edge = TopoDS::Edge(edges(i));
     if (BRep_Tool::Degenerated(edge)) continue;
     const double reach = BRep_Tool::Tolerance(edge);
-    tubes +=
-        std::numbers::pi * reach * reach * GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge));
+    tubes += std::numbers::pi * reach * reach * edge_length(edge);
   }
   return volume <= balls + tubes;
 }

@@ -11,11 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include <BRepAdaptor_Curve.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/intersection_edges.h"
 #include "plugin/reports/models/repairs.h"
 #include "plugin/reports/models/shape_numbers.h"
@@ -204,7 +203,7 @@ WireFacts facts_of(const TopoDS_Compound& wires) {
     if (it.Value().Closed()) ++facts.closed;
     for (TopoDS_Iterator edge(it.Value()); edge.More(); edge.Next()) {
       ++facts.edges;
-      facts.length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(edge.Value())));
+      facts.length += occt::edge_length(TopoDS::Edge(edge.Value()));
     }
   }
   return facts;

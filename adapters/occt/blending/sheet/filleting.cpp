@@ -7,9 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -24,6 +22,7 @@
 #include "adapters/occt/blending/sheet/fillet_order.h"
 #include "adapters/occt/blending/strips/ball_walk.h"
 #include "adapters/occt/blending/strips/held_strip.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/solid_rays.h"
@@ -152,8 +151,7 @@ double Filleting::sure_change(const SolidPart& part, const std::vector<TrimmedFa
     for (const auto& [edge, concave] : edges) {
       double angle = 0;
       edge_kind(body_, edge, angle);
-      size += square_of_radius(edge) * corner_area(angle) *
-              GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body_.edge(edge)));
+      size += square_of_radius(edge) * corner_area(angle) * edge_length(body_.edge(edge));
     }
     for (const double share : kShares) {
       const double enough = share * size;

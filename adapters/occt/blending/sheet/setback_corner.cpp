@@ -31,6 +31,7 @@
 #include "adapters/occt/blending/sheet/corner_path.h"
 #include "adapters/occt/blending/sheet/fill_faces.h"
 #include "adapters/occt/blending/strips/section_side.h"
+#include "adapters/occt/convert/curves.h"
 #include "core/blending/fills/fill.h"
 #include "core/forms/evaluation.h"
 
@@ -113,7 +114,7 @@ std::optional<double> BlendSheet::stop_beside(const Ring& ring, std::size_t sect
 double BlendSheet::wanted_setback_t(const HalfEdge& half, double stop, double width) {
   const PlacedStrip& of = strip_of(half);
   const double inwards = is_low_end(half) ? 1 : -1;
-  const double whole = GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body_.edge(half.edge)));
+  const double whole = edge_length(body_.edge(half.edge));
   const double speed = whole / length(of.strip.edge_range);
   const double t = end_t(half) + inwards * *setback_ / speed;
   const double least = inwards * (stop - end_t(half)) * speed + kLeastRoom * width;

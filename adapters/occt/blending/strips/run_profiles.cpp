@@ -5,11 +5,9 @@
 #include <string>
 #include <utility>
 
-#include <BRepAdaptor_Curve.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
-
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/strips/held_strip.h"
+#include "adapters/occt/convert/curves.h"
 
 namespace blossom::occt {
 namespace {
@@ -60,8 +58,7 @@ RunProfiles::RunProfiles(const BodyEdges& body, const EdgeRun& run, const Fillet
     refuse(first.edge, "it closes a run of edges, along which the radius cannot change");
   std::vector<double> lengths{0};
   for (const RunEdge& each : run.edges)
-    lengths.push_back(lengths.back() +
-                      GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body.edge(each.edge))));
+    lengths.push_back(lengths.back() + edge_length(body.edge(each.edge)));
   const auto share_at = [&](double length) {
     const double share = length / lengths.back();
     return first.forward ? share : 1 - share;

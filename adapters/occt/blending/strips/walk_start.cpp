@@ -7,15 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/strips/ball_walker.h"
+#include "adapters/occt/convert/curves.h"
 
 namespace blossom::occt {
 // Whether the ball touches both faces where they are, beside the middle of the strip's edge.
@@ -81,8 +80,7 @@ std::size_t BallWalker::start() {
       if (goes_beside(of)) return i;
       if (!any) any = i;
     } catch (const FilletRefused& why) {
-      const double length =
-          GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body_.edge(run_.edges[i].edge)));
+      const double length = edge_length(body_.edge(run_.edges[i].edge));
       if (refused && length <= longest) continue;
       refused = why;
       longest = length;

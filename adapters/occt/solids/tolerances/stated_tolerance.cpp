@@ -6,8 +6,6 @@
 
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
-#include <GeomAdaptor_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
@@ -18,6 +16,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
 #include "core/math/interval.h"
@@ -34,13 +33,6 @@ struct StatedFace {
   Bnd_Box box;
 };
 
-double length_of(const TopoDS_Edge& edge) {
-  Interval range;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
-  if (curve.IsNull()) return Precision::Infinite();
-  return GCPnts_AbscissaPoint::Length(GeomAdaptor_Curve(curve, range.from, range.to));
-}
-
 // Nothing if it is what all shapes have.
 double stated(double tolerance) {
   return tolerance > kUnstated * Precision::Confusion() ? tolerance : 0;
@@ -51,7 +43,7 @@ double stated_by(const TopoDS_Face& face, double point) {
   for (TopExp_Explorer it(face, TopAbs_EDGE); tolerance > 0 && it.More(); it.Next()) {
     const TopoDS_Edge edge = TopoDS::Edge(it.Current());
     if (!BRep_Tool::Degenerated(edge))
-      tolerance = std::min(tolerance, kEdgeShare * length_of(edge));
+      tolerance = std::min(tolerance, kEdgeShare * edge_length(edge));
   }
   return std::max(0.5 * point, tolerance);
 }
@@ -84,7 +76,7 @@ std::vector<CorneredEdge> cornered_edges(const TrimTool& solid) {
     const TopoDS_Vertex from = TopExp::FirstVertex(edge), to = TopExp::LastVertex(edge);
     if (made.curve.curve.IsNull() || from.IsNull() || to.IsNull()) continue;
     const double least = std::min(BRep_Tool::Tolerance(from), BRep_Tool::Tolerance(to));
-    made.tolerance = std::min(stated(least), kEdgeShare * length_of(edge));
+    made.tolerance = std::min(stated(least), kEdgeShare * edge_length(edge));
     made.box = bounds_of(edge);
     all.push_back(std::move(made));
   }

@@ -6,7 +6,9 @@
 
 #include <cmath>
 
+#include <Geom2dConvert.hxx>
 #include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Circle.hxx>
 #include <Geom2d_Line.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -68,6 +70,15 @@ TEST(PlanarCurve, OfAPeriodicSplineGoesOnOverItsStart) {
 // From (0, 2) to (9, 2), with knots where another image of the same curve needs them.
 Spline2 level_line(double along, double height) {
   return {3, {0, 1, 3}, {4, 2, 4}, {{0, 2}, {1, 2}, {along, height}, {5, 2}, {7, 2}, {9, 2}}};
+}
+
+TEST(PlanarCurve, OfACircleAsAPeriodicSplineIsTheSameFromAnyPeriod) {
+  const Handle(Geom2d_BSplineCurve) circle = Geom2dConvert::CurveToBSplineCurve(
+      new Geom2d_Circle(gp_Ax2d(gp_Pnt2d(3, 1), gp_Dir2d(1, 0)), 2));
+  ASSERT_TRUE(circle->IsPeriodic());
+  for (const double from : {-9.0, -2.65558657871115, -0.56, 0.0, 1.0, 5.9, 12.0})
+    for (const double width : {0.3, 2.0943951, 4.0, 6.28})
+      expect_same(circle, {from, from + width});
 }
 
 TEST(SimplestCurve, OfASplineThatRunsEvenlyAlongALineIsThatLine) {
