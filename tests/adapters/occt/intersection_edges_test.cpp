@@ -58,44 +58,39 @@ Parts common_of(const TopoDS_Shape& a, const TopoDS_Shape& b) {
   return parts_of(compound_of(intersect(of_a, of_b), of_a, of_b));
 }
 
+void expect_wires(const Parts& found, const Parts& wanted) {
+  EXPECT_EQ(found.wires, wanted.wires);
+  EXPECT_EQ(found.closed, wanted.closed);
+  EXPECT_EQ(found.edges, wanted.edges);
+  EXPECT_EQ(found.vertices, wanted.vertices);
+  EXPECT_EQ(found.lone, wanted.lone);
+  EXPECT_NEAR(found.length, wanted.length, 1e-9);
+}
+
 TopoDS_Shape box(const gp_Pnt& low, const gp_Pnt& high) { return BRepPrimAPI_MakeBox(low, high); }
 
 TEST(JoinedIntersection, OfABarThroughABlockIsTwoClosedWires) {
-  const Parts parts = common_of(box({0, 0, 0}, {4, 4, 4}), box({-1, 1, 1}, {5, 2, 3}));
-  EXPECT_EQ(parts.wires, 2);
-  EXPECT_EQ(parts.closed, 2);
-  EXPECT_EQ(parts.edges, 8);
-  EXPECT_EQ(parts.vertices, 8);
-  EXPECT_NEAR(parts.length, 12, 1e-12);
+  expect_wires(common_of(box({0, 0, 0}, {4, 4, 4}), box({-1, 1, 1}, {5, 2, 3})),
+               {.wires = 2, .closed = 2, .edges = 8, .vertices = 8, .length = 12});
 }
 
 // Both faces of either edge meet both of the other in it, and others in its ends.
 TEST(JoinedIntersection, HasACommonEdgeOnce) {
-  const Parts parts = common_of(box({0, 0, 0}, {4, 1, 1}), box({1, 1, 1}, {3, 2, 2}));
-  EXPECT_EQ(parts.wires, 1);
-  EXPECT_EQ(parts.closed, 0);
-  EXPECT_EQ(parts.edges, 1);
-  EXPECT_EQ(parts.vertices, 2);
-  EXPECT_NEAR(parts.length, 2, 1e-12);
+  expect_wires(common_of(box({0, 0, 0}, {4, 1, 1}), box({1, 1, 1}, {3, 2, 2})),
+               {.wires = 1, .edges = 1, .vertices = 2, .length = 2});
 }
 
 // The side and the bottom of the cylinder meet the plate in the same circle.
 TEST(JoinedIntersection, HasAClosedEdgeOnce) {
   const TopoDS_Shape plate = box({-3, -3, -1}, {3, 3, 0});
-  const Parts parts = common_of(plate, BRepPrimAPI_MakeCylinder(1, 2).Shape());
-  EXPECT_EQ(parts.wires, 1);
-  EXPECT_EQ(parts.closed, 1);
-  EXPECT_EQ(parts.edges, 1);
-  EXPECT_NEAR(parts.length, 2 * pi, 1e-9);
+  expect_wires(common_of(plate, BRepPrimAPI_MakeCylinder(1, 2).Shape()),
+               {.wires = 1, .closed = 1, .edges = 1, .vertices = 1, .length = 2 * pi});
 }
 
 // The bar is as high as the block: three wires lead from one of two corners to the other.
 TEST(JoinedIntersection, IsDividedWhereAThirdCurveEnds) {
-  const Parts parts = common_of(box({0, 0, 0}, {4, 4, 4}), box({1, -1, 3}, {2, 2, 4}));
-  EXPECT_EQ(parts.wires, 3);
-  EXPECT_EQ(parts.edges, 7);
-  EXPECT_EQ(parts.vertices, 6);
-  EXPECT_NEAR(parts.length, 9, 1e-12);
+  expect_wires(common_of(box({0, 0, 0}, {4, 4, 4}), box({1, -1, 3}, {2, 2, 4})),
+               {.wires = 3, .edges = 7, .vertices = 6, .length = 9});
 }
 
 TEST(JoinedIntersection, HasAContactOnceWhereNoEdgePasses) {
