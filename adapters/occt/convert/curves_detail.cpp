@@ -84,9 +84,12 @@ void check_bounded(const gp_XYZ& point, const std::string& what) {
   if (!is_bounded(point)) throw BadModel(what + " is not finite");
 }
 
+bool is_finite(const gp_XYZ& point) {
+  return std::isfinite(point.X()) && std::isfinite(point.Y()) && std::isfinite(point.Z());
+}
+
 void check_finite(const gp_XYZ& point, const std::string& what) {
-  if (!std::isfinite(point.X()) || !std::isfinite(point.Y()) || !std::isfinite(point.Z()))
-    throw BadModel(what + " is not finite");
+  if (!is_finite(point)) throw BadModel(what + " is not finite");
 }
 
 void check_weight(double weight, const std::string& what) {

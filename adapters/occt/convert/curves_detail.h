@@ -54,6 +54,9 @@ bool is_bounded(const gp_XYZ& point);
 /// throws   BadModel naming `what` unless the point is bounded
 void check_bounded(const gp_XYZ& point, const std::string& what);
 
+/// Whether all coordinates are numbers.
+bool is_finite(const gp_XYZ& point);
+
 /// throws   BadModel naming `what` unless all coordinates are finite
 void check_finite(const gp_XYZ& point, const std::string& what);
 void check_weight(double weight, const std::string& what);

@@ -68,6 +68,7 @@ CurveSpans bspline_spans(const Geom_BSplineCurve& curve, const Interval& range) 
   return spline_spans(knots, spans_in(knots, range), poles);
 }
 
+// Here and below the words of a message are made only where there is one to write.
 CurveSpans fitted_curve(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance) {
   const GeomAdaptor_Curve adaptor(curve, range.from, range.to);
   TColStd_Array1OfReal found(1, adaptor.NbIntervals(GeomAbs_CN) + 1);
@@ -76,8 +77,8 @@ CurveSpans fitted_curve(const Handle(Geom_Curve) & curve, const Interval& range,
   breaks.front() = range.from;
   breaks.back() = range.to;
   const auto value = [&](double t) {
-    const gp_Pnt point = curve->Value(t);
-    check_finite(point.XYZ(), "the curve at " + std::to_string(t));
+    const gp_XYZ point = curve->Value(t).XYZ();
+    if (!is_finite(point)) check_finite(point, "the curve at " + std::to_string(t));
     return vec(point);
   };
   return fitted_spans(value, breaks, tolerance);
@@ -105,7 +106,6 @@ CurveSpans spans_of(const Handle(Geom_Curve) & curve, const Interval& range, dou
   return fitted_curve(curve, range, tolerance);
 }
 
-// The words of a message are made only where there is one to write.
 template <class Curve>
 void check_poles(const Curve& curve) {
   const bool rational = curve.IsRational();

@@ -5,14 +5,16 @@
 #include <vector>
 
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <TColStd_Array1OfReal.hxx>
 
-#include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/convert/limits.h"
 #include "adapters/occt/convert/surfaces_detail.h"
 #include "core/forms/spans/fitted_spans.h"
+#include "core/forms/spans/swept_surface.h"
 
 namespace blossom::occt {
 namespace {
@@ -27,22 +29,51 @@ std::vector<double> smooth_breaks(const TColStd_Array1OfReal& found, const Inter
   return breaks;
 }
 
+std::vector<double> u_breaks(const Handle(Geom_Surface) & surface, const ParameterBox& box) {
+  const GeomAdaptor_Surface adaptor(surface, box.u.from, box.u.to, box.v.from, box.v.to);
+  TColStd_Array1OfReal u(1, adaptor.NbUIntervals(GeomAbs_CN) + 1);
+  adaptor.UIntervals(u, GeomAbs_CN);
+  return smooth_breaks(u, box.u);
+}
+
+std::vector<double> v_breaks(const Handle(Geom_Surface) & surface, const ParameterBox& box) {
+  const GeomAdaptor_Surface adaptor(surface, box.u.from, box.u.to, box.v.from, box.v.to);
+  TColStd_Array1OfReal v(1, adaptor.NbVIntervals(GeomAbs_CN) + 1);
+  adaptor.VIntervals(v, GeomAbs_CN);
+  return smooth_breaks(v, box.v);
+}
+
+Vec3 finite_value(const Geom_Surface& surface, double u, double v) {
+  const gp_XYZ point = surface.Value(u, v).XYZ();
+  // The words of a message are made only where there is one to write.
+  if (!is_finite(point))
+    check_finite(point, "the surface at (" + std::to_string(u) + ", " + std::to_string(v) + ")");
+  return vec(point);
+}
+
 }  // namespace
+
+BezierSurface swept_offset(const Handle(Geom_OffsetSurface) & offset, const ParameterBox& box,
+                           double tolerance, ArcCuts cuts) {
+  const Handle(Geom_Surface) basis = basis_of(offset->BasisSurface());
+  if (const auto turned = Handle(Geom_SurfaceOfRevolution)::DownCast(basis); !turned.IsNull()) {
+    const auto meridian = [&](double v) { return finite_value(*offset, 0, v); };
+    return turned_surface(curved_meridian(fitted_spans(meridian, v_breaks(offset, box), tolerance),
+                                          vec(turned->Location()), vec(turned->Direction().XYZ())),
+                          box.u, cuts);
+  }
+  if (const auto moved = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(basis); !moved.IsNull()) {
+    const auto profile = [&](double u) { return finite_value(*offset, u, 0); };
+    return extruded_surface(fitted_spans(profile, u_breaks(offset, box), tolerance),
+                            vec(moved->Direction().XYZ()), box.v);
+  }
+  return {};
+}
 
 BezierSurface fitted_patches(const Handle(Geom_Surface) & surface, const ParameterBox& box,
                              double tolerance) {
-  const GeomAdaptor_Surface adaptor(surface, box.u.from, box.u.to, box.v.from, box.v.to);
-  TColStd_Array1OfReal u(1, adaptor.NbUIntervals(GeomAbs_CN) + 1);
-  TColStd_Array1OfReal v(1, adaptor.NbVIntervals(GeomAbs_CN) + 1);
-  adaptor.UIntervals(u, GeomAbs_CN);
-  adaptor.VIntervals(v, GeomAbs_CN);
-  const auto value = [&](double s, double t) {
-    const gp_Pnt point = surface->Value(s, t);
-    check_finite(point.XYZ(),
-                 "the surface at (" + std::to_string(s) + ", " + std::to_string(t) + ")");
-    return vec(point);
-  };
-  return fitted_surface(value, smooth_breaks(u, box.u), smooth_breaks(v, box.v), tolerance);
+  const auto value = [&](double u, double v) { return finite_value(*surface, u, v); };
+  return fitted_surface(value, u_breaks(surface, box), v_breaks(surface, box), tolerance);
 }
 
 }  // namespace blossom::occt

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Planes, quadrics, tori, surfaces of extrusion and of revolution as Bezier patches.
+// Planes, quadrics, tori, surfaces of extrusion and of revolution, and offsets of them, as Bezier
+// patches.
 
 #include <array>
 #include <cmath>
@@ -7,7 +8,6 @@
 
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
-#include <Geom_OffsetSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
@@ -91,9 +91,11 @@ BezierSurface swept_patches(const Handle(Geom_Surface) & surface, const Paramete
         curved_meridian(profile_spans(revolved->BasisCurve(), box.v, tolerance, cuts),
                         vec(revolved->Location()), vec(revolved->Direction().XYZ())),
         box.u, cuts);
-  if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface); !offset.IsNull())
+  if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface); !offset.IsNull()) {
     if (const auto simple = elementary_offset(*offset, box); !simple.IsNull())
       return swept_patches(simple, box, tolerance, cuts);
+    return swept_offset(offset, box, tolerance, cuts);
+  }
   return {};
 }
 

@@ -2,6 +2,7 @@
 #include "core/forms/spans/fitted_spans.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -92,7 +93,9 @@ const Grid<double>& fit_matrix() {
   return matrix;
 }
 
-Vec4 casteljau(std::vector<Vec4> points, double t) {
+using FitPoints = std::array<Vec4, kNodeDegree + 1>;
+
+Vec4 casteljau(FitPoints points, double t) {
   for (std::size_t n = points.size() - 1; n > 0; --n)
     for (std::size_t i = 0; i < n; ++i) points[i] = (1 - t) * points[i] + t * points[i + 1];
   return points.front();
@@ -131,11 +134,12 @@ class CurveFit {
   }
 
   double error_of(const RationalBezierCurve& fitted, const Interval& place) const {
+    FitPoints points;
+    std::ranges::copy(fitted.points, points.begin());
     double largest = 0;
     for (int k = 1; k < kSpanSamples; ++k) {
       const double t = static_cast<double>(k) / kSpanSamples;
-      largest =
-          std::max(largest, distance(head(casteljau(fitted.points, t)), value_(at(place, t))));
+      largest = std::max(largest, distance(head(casteljau(points, t)), value_(at(place, t))));
     }
     return largest;
   }
@@ -218,13 +222,12 @@ class SurfaceFit {
   }
 
   static Vec3 point(const RationalBezierPatch& net, double s, double t) {
-    std::vector<Vec4> rows;
-    for (int i = 0; i < net.points.rows(); ++i) {
-      std::vector<Vec4> row;
-      for (int j = 0; j < net.points.columns(); ++j) row.push_back(net.points(i, j));
-      rows.push_back(casteljau(std::move(row), t));
+    FitPoints rows, row;
+    for (int i = 0; i <= kNodeDegree; ++i) {
+      for (int j = 0; j <= kNodeDegree; ++j) row[static_cast<std::size_t>(j)] = net.points(i, j);
+      rows[static_cast<std::size_t>(i)] = casteljau(row, t);
     }
-    return head(casteljau(std::move(rows), s));
+    return head(casteljau(rows, s));
   }
 
   PatchError error_of(const RationalBezierPatch& net, const Interval& u, const Interval& v) const {

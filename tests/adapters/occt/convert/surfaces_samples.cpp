@@ -227,6 +227,16 @@ std::vector<NamedSurface> all_surfaces(Random& random) {
       {"offset cylinder",
        new Geom_OffsetSurface(new Geom_CylindricalSurface(frame, 1.5), 0.25),
        {{0, 5}, {0, 1}}},
+      {"offset revolved ellipse",
+       new Geom_OffsetSurface(
+           new Geom_SurfaceOfRevolution(new Geom_Ellipse(frame.Ax2(), 3, 1.5), axis), 0.3),
+       {{0.5, 5}, {1, 6}},
+       false},
+      {"offset extruded ellipse",
+       new Geom_OffsetSurface(
+           new Geom_SurfaceOfLinearExtrusion(new Geom_Ellipse(frame.Ax2(), 3, 1.5), up), -0.3),
+       {{0.5, 5}, {-1, 4}},
+       false},
       {"offset bump", new Geom_OffsetSurface(bump(), 0.1), {{0, 1}, {0, 1}}, false},
       {"offset cylinder turned inside out",
        new Geom_OffsetSurface(new Geom_CylindricalSurface(frame, 1.5), -2),

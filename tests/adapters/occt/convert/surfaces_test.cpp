@@ -3,6 +3,7 @@
 
 #include "adapters/occt/convert/surfaces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,8 +21,12 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp.hxx>
@@ -210,6 +215,21 @@ TEST(BezierSurfaceOf, QuarterCylinderHasHandComputedNet) {
   EXPECT_NEAR(net(1, 0)[3], std::sqrt(0.5), 1e-16);
   EXPECT_NEAR(net(1, 0)[0] / net(1, 0)[3], 2, 1e-15);
   EXPECT_NEAR(net(1, 0)[1] / net(1, 0)[3], 2, 1e-15);
+}
+
+TEST(BezierSurfaceOf, OffsetOfARevolutionOrAnExtrusionIsOneToo) {
+  const Handle(Geom_Curve) ellipse = new Geom_Ellipse(gp_Ax2(gp_Pnt(5, 0, 0), gp::DY()), 3, 1.5);
+  const ParameterBox box{{0, 1}, {0, 1}};
+  const auto offset = [&](const Handle(Geom_Surface) & swept) {
+    return bezier_surface(new Geom_OffsetSurface(swept, 0.3), box);
+  };
+  const BezierSurface turned = offset(new Geom_SurfaceOfRevolution(ellipse, gp::OZ()));
+  EXPECT_EQ(turned.patches.rows(), 1);
+  EXPECT_EQ(turned.patches(0, 0).points.rows(), 3) << "a circular arc is of degree 2";
+  const BezierSurface moved = offset(new Geom_SurfaceOfLinearExtrusion(ellipse, gp::DY()));
+  EXPECT_EQ(moved.patches.columns(), 1);
+  EXPECT_EQ(moved.patches(0, 0).points.columns(), 2);
+  EXPECT_LE(std::max(turned.error, moved.error), Tolerances{}.point);
 }
 
 TEST(BezierSurfaceOf, SaysWhereASurfaceIsClosed) {
