@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Curves and surfaces without an exact Bezier form, interpolated, with a sampled error.
 //
-// Pieces are polynomials of degree 5 through the values in Chebyshev-Lobatto nodes, ends included:
+// Pieces are polynomials of degree 8 through the values in Chebyshev-Lobatto nodes, ends included:
 // pieces that meet share the bits of their common values.
 
 #pragma once
