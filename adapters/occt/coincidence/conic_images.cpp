@@ -348,8 +348,9 @@ std::optional<IntersectionCurve> Conics::curve_on(const Interval& part) const {
   const bool straight = charts[0].straight && charts[1].straight && conic_.kind == ConicKind::Line;
   const double sixth = sixth_derivative_bound(conic_, part);
   const double width = sixth > 0 ? std::pow(46080 * kFit * slack_ / sixth, 1.0 / 6) : length(part);
-  const int pieces =
-      straight ? 1 : std::max(kMinPieces, static_cast<int>(length(part) / width) + 1);
+  const double wanted = straight ? 0 : length(part) / width;
+  if (!(wanted < kMaxPieces)) return {};
+  const int pieces = straight ? 1 : std::max(kMinPieces, static_cast<int>(wanted) + 1);
   std::vector<double> knots;
   for (int i = 0; i <= pieces; ++i) knots.push_back(at(part, static_cast<double>(i) / pieces));
   IntersectionCurve curve;

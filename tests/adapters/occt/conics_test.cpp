@@ -286,5 +286,17 @@ TEST(Conics, AreWiresOfPlaneSections) {
   EXPECT_EQ(types_of_edges(along), (std::map<GeomAbs_CurveType, int>{{GeomAbs_Line, 4}}));
 }
 
+// So fine a circle would be thousands of pieces: it is searched for like any curve.
+TEST(Conics, FinerThanPiecesCanBeAreNoneAndNoCrash) {
+  const TopoDS_Shape drill =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, 5, -1), gp::DZ()), 2, 4).Shape();
+  const TopoDS_Face top = BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 1), gp::DZ()), 0, 10, 0, 10);
+  IntersectionOptions options;
+  options.tolerances.point = 1e-14;
+  options.budget = 1000;
+  const ShapeIntersection found = intersect({top}, faces_of(drill), options);
+  EXPECT_FALSE(found.status == Status::Complete && found.pairs.empty());
+}
+
 }  // namespace
 }  // namespace blossom::occt
