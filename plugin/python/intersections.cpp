@@ -93,7 +93,8 @@ class Numbers {
   explicit Numbers(const LoadedModel& model) : model_(model) {}
   py::object of(const TopoDS_Shape& on, int face) {
     if (on.IsNull()) return number_pair({"face", face});
-    if (!known_) known_.emplace(model_.whole_shape());
+    if (!known_)
+      known_.emplace(in_turn(model_, [](const LoadedModel& m) { return m.whole_shape(); }));
     return number_pair(known_->of(on, face));
   }
 
@@ -144,6 +145,7 @@ Answer answer_of(SharedFound found) {
               },
           .model =
               [found] {
+                const BothTurns turns(*found->a, *found->b, Watch());
                 return std::make_shared<LoadedModel>(
                     "intersection",
                     occt::compound_of(found->intersection, found->a->input().faces,

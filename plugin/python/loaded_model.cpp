@@ -61,7 +61,7 @@ const occt::Model* LoadedModel::file() const {
   return model_ && !model_->file().empty() ? model_.get() : nullptr;
 }
 
-LoadedModel::Turn LoadedModel::turn(const Watch& watch) {
+LoadedModel::Turn LoadedModel::turn(const Watch& watch) const {
   Turn turn(*working_, std::defer_lock);
   while (!turn.try_lock_for(kPause)) watch.stop();
   return turn;

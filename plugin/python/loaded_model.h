@@ -56,7 +56,7 @@ class LoadedModel {
   using Turn = std::unique_lock<std::timed_mutex>;
   /// Waits for other questions.
   /// throws   CancelledWork
-  Turn turn(const Watch& watch);
+  Turn turn(const Watch& watch) const;
   /// Whether two parts of one model wait for the same turn.
   bool shares_turn(const LoadedModel& other) const { return working_ == other.working_; }
   /// What turns are ordered by.
@@ -94,6 +94,15 @@ class LoadedModel {
 };
 
 using SharedModel = std::shared_ptr<LoadedModel>;
+
+/// What `ask(model)`, which makes no objects of Python, says while no other question changes the
+/// model. For callers with Python's lock, which waits elsewhere.
+template <class Model, class Ask>
+auto in_turn(Model& model, Ask&& ask) {
+  const pybind11::gil_scoped_release released;
+  const LoadedModel::Turn turn = model.turn(Watch());
+  return ask(model);
+}
 
 /// The turns of both models of a question; they may be one.
 struct BothTurns {

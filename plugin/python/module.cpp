@@ -3,6 +3,7 @@
 // which check what users pass; no message of the binding library is meant to be seen.
 
 #include <exception>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -77,12 +78,7 @@ SharedModel from_swig(const py::handle& object, const std::string& name) {
 }
 
 py::bytes brep_bytes(LoadedModel& model) {
-  std::string text;
-  {
-    const py::gil_scoped_release released;
-    text = occt::brep_text(model.shape());
-  }
-  return py::bytes(text);
+  return py::bytes(in_turn(model, [](LoadedModel& m) { return occt::brep_text(m.shape()); }));
 }
 
 void write_file(LoadedModel& model, const std::string& path, const Control& control) {
@@ -98,15 +94,17 @@ void write_file(LoadedModel& model, const std::string& path, const Control& cont
 
 py::dict counts_of(const LoadedModel& model) {
   py::dict counts;
-  for (const reports::ShapeCount& each : reports::shape_counts(model.whole_shape()))
+  for (const reports::ShapeCount& each :
+       in_turn(model, [](const LoadedModel& m) { return reports::shape_counts(m.whole_shape()); }))
     counts[each.many] = each.count;
   return counts;
 }
 
 py::object reading_of(const LoadedModel& model) {
-  const occt::Model* const file = model.file();
-  if (file == nullptr) return py::none();
-  return to_python(reports::reading_json(file->file(), file->reading()));
+  return to_python(in_turn(model, [](const LoadedModel& m) {
+    const occt::Model* const file = m.file();
+    return file ? reports::reading_json(file->file(), file->reading()) : reports::Json();
+  }));
 }
 
 /// Bad input is a ValueError, everything else blossom.Error; Open CASCADE's failures too, which
@@ -140,25 +138,43 @@ void add_control(py::module_& module) {
            arg("threads"), arg("nice"), arg("cancel"), arg("progress"));
 }
 
+py::object model_repairs(LoadedModel& model) {
+  return to_python(in_turn(model, [](LoadedModel& m) { return reports::repairs_json(m.input()); }));
+}
+
+SharedModel part_of(LoadedModel& model, const std::vector<int>& numbers, const std::string& name) {
+  return in_turn(model, [&](LoadedModel& m) { return m.part(numbers, name); });
+}
+
+TopoDS_Shape chosen_shape(LoadedModel& model) { return model.shape(); }
+
+/// A property that `ask(model)` tells in the model's turn.
+template <class Ask>
+auto told(Ask ask) {
+  return [ask](LoadedModel& model) {
+    return in_turn(model, [ask](LoadedModel& m) { return std::invoke(ask, m); });
+  };
+}
+
 void add_model(py::module_& module) {
   py::class_<LoadedModel, SharedModel>(module, "Model")
       .def_property_readonly("name", &LoadedModel::name)
-      .def_property_readonly("face_count", &LoadedModel::face_count)
+      .def_property_readonly("face_count", told(&LoadedModel::face_count))
       .def_property_readonly("counts", &counts_of)
-      .def_property_readonly(
-          "file",
-          [](const LoadedModel& m) { return m.file() ? m.file()->file().string() : std::string(); })
-      .def_property_readonly(
-          "file_unit",
-          [](const LoadedModel& m) { return m.file() ? m.file()->file_unit() : std::string(); })
+      .def_property_readonly("file", told([](const LoadedModel& m) {
+                               return m.file() ? m.file()->file().string() : std::string();
+                             }))
+      .def_property_readonly("file_unit", told([](const LoadedModel& m) {
+                               return m.file() ? m.file()->file_unit() : std::string();
+                             }))
       .def_property_readonly("reading", &reading_of)
-      .def("numbers", [](LoadedModel& m) { return m.input().numbers; })
-      .def("face_names", [](LoadedModel& m) { return m.input().model.face_names(); })
-      .def("part_paths", [](LoadedModel& m) { return m.input().model.part_paths(); })
-      .def("repairs", [](LoadedModel& m) { return to_python(reports::repairs_json(m.input())); })
-      .def("part", &LoadedModel::part, arg("numbers"), arg("name"))
+      .def("numbers", told([](LoadedModel& m) { return m.input().numbers; }))
+      .def("face_names", told([](LoadedModel& m) { return m.input().model.face_names(); }))
+      .def("part_paths", told([](LoadedModel& m) { return m.input().model.part_paths(); }))
+      .def("repairs", &model_repairs)
+      .def("part", &part_of, arg("numbers"), arg("name"))
       .def("brep", &brep_bytes)
-      .def("swig", [](LoadedModel& m) { return swig_from_shape(m.shape()); })
+      .def("swig", [](LoadedModel& m) { return swig_from_shape(in_turn(m, chosen_shape)); })
       .def("write", &write_file, arg("path"), arg("control"));
   module.def("read_file", &read_file, arg("path"), arg("strict"), arg("control"));
   module.def("read_bytes", &read_bytes, arg("brep"), arg("name"));

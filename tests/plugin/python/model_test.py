@@ -385,6 +385,23 @@ class Ending(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "^nice: 20 is more than 19$"):
             blossom.intersect(FLOOR, WALL, nice=20)
 
+    def test_what_a_model_holds_may_be_asked_while_another_thread_works(self):
+        for _ in range(20):
+            model = blossom.read(BLOCK)
+            done = threading.Event()
+
+            def ask():
+                while not done.is_set():
+                    model.face_names, model.part_paths, model.numbers, model.to_brep()
+            asking = threading.Thread(target=ask)
+            asking.start()
+            try:
+                model.area
+                model.check()
+            finally:
+                done.set()
+                asking.join()
+
     def test_two_threads_may_ask_one_model(self):
         model, lengths = blossom.read(BLOCK), []
 
