@@ -60,6 +60,8 @@ class ShapeRayQuery {
  public:
   /// rays   lives as long as this
   explicit ShapeRayQuery(const ShapeRays& rays);
+  ShapeRayQuery(const ShapeRayQuery&) = delete;
+  ShapeRayQuery& operator=(const ShapeRayQuery&) = delete;
 
   /// Valid until the next question.
   std::span<const ShapeHit> all_hits(const Ray& ray);

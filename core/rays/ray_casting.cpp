@@ -54,12 +54,16 @@ bool is_same(const RayHit& a, const RayHit& b, double tolerance) {
   return a.border && b.border;
 }
 
-void join(RayHit& into, const RayHit& hit) {
+// A stretch is known by a proven root at its beginning, if there is one.
+// near   parameters that differ by no more are one place
+void join(RayHit& into, const RayHit& hit, double near) {
   const double first = std::min(into.first, hit.first), last = std::max(into.last, hit.last);
   const bool grazing = into.grazing || hit.grazing, border = into.border || hit.border;
   const Status status = weaker(into.status, hit.status);
   const int mark = std::max(into.mark, hit.mark);
-  if (into.status != Status::Complete && hit.status == Status::Complete) into = hit;
+  if (into.status != Status::Complete && hit.status == Status::Complete &&
+      hit.parameter <= into.parameter + near)
+    into = hit;
   into.first = first;
   into.last = last;
   into.grazing = grazing;
@@ -81,7 +85,7 @@ void join_hits(std::vector<RayHit>& hits, double speed, double tolerance) {
     for (std::size_t k = kept; k-- > 0 && same == kept;)
       if (hits[k].last + near >= hits[i].first && is_same(hits[k], hits[i], tolerance)) same = k;
     if (same < kept)
-      join(hits[same], hits[i]);
+      join(hits[same], hits[i], near);
     else
       hits[kept++] = hits[i];
   }

@@ -170,5 +170,15 @@ TEST(ShapeRays, RefusesShapesWithoutFaces) {
   EXPECT_THROW(ShapeRays(plate_with_hole()).all_hits({{0, 0, 0}, {0, 0, 0}}), InvalidInput);
 }
 
+TEST(ShapeRays, StretchInAFaceIsKnownByWhereItBegins) {
+  const ShapeRays rays(BRepPrimAPI_MakeBox(10, 10, 10).Shape());
+  const Ray along_top{{-5, 5, 10}, {1, 0, 0}};
+  const auto all = rays.all_hits(along_top), first = rays.first_hits(along_top);
+  ASSERT_EQ(all.size(), 1u);
+  ASSERT_FALSE(first.empty());
+  EXPECT_NEAR(all.front().hit.parameter, 5, 1e-7);
+  EXPECT_EQ(all.front().hit.surface, first.front().hit.surface);
+}
+
 }  // namespace
 }  // namespace blossom::occt
