@@ -249,7 +249,9 @@ class ClashSearch {
   void find_contacts(Clash& pair) {
     const std::vector<TopoDS_Face> a = faces_of_part(parts_[pair.a]),
                                    b = faces_of_part(parts_[pair.b]);
-    pair.contacts = contacts_of(intersect(a, b, limit_.remaining()), a, b);
+    const ShapeIntersection met = intersect(a, b, limit_.remaining());
+    if (met.status == Status::Stopped) pair.status = Status::Stopped;  // there may be more of them
+    pair.contacts = contacts_of(met, a, b);
     if (pair.contacts.empty())  // within tolerance only
       pair.contacts.push_back({ContactKind::Point,
                                {},
@@ -302,7 +304,8 @@ class ClashSearch {
     if (!bodies(inner).all().front().is_solid()) return;
     CommonBody& common = pair.common.emplace();
     common.volume = volume_of_solid(parts_[inner]);
-    common.solids = {TopoDS::Solid(parts_[inner])};
+    for (const Body& body : bodies(inner).all())
+      if (body.is_solid()) common.solids.push_back(TopoDS::Solid(body.shape));
     deepen(depth_of(faces_of_part(parts_[inner]), bodies(outer).boundary(), tolerance_,
                     common.lower, stop()),
            common);

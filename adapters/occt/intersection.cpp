@@ -28,6 +28,7 @@
 #include "core/neighbours/along_shared_edges.h"
 #include "core/neighbours/neighbour_proof.h"
 #include "core/neighbours/sliver_spans.h"
+#include "core/results/contact_places.h"
 #include "core/surfaces/retry/exchanged_order.h"
 
 namespace blossom::occt {
@@ -113,8 +114,7 @@ class PairIntersector {
     for (const auto& [on_a, on_b] : match.edges)
       result.equal_edges.emplace_back(TopoDS::Edge(of_a.edges(on_a + 1)),
                                       TopoDS::Edge(of_b.edges(on_b + 1)));
-    result.found.places = {
-        {PlaceKind::Overlap, a.box.low, a.box.high, 0, match.gap, parameters_of(a, b)}};
+    result.found.places = {whole_place(a, b, match.gap)};
     identify(result.found.certificate, match.gap);
     if (match.gap <= one_within(options_.tolerances, largest_coordinate(a, b))) return;
     result.found.status = Status::Tolerance;
@@ -136,6 +136,11 @@ class PairIntersector {
   static Place open_place(const FaceData& a, const FaceData& b) {
     const Box common = common_box(a, b);
     return {PlaceKind::Open, common.low, common.high, 0, diagonal(common), parameters_of(a, b)};
+  }
+
+  // That of all of the first face, which lies in the second.
+  static Place whole_place(const FaceData& a, const FaceData& b, double gap) {
+    return {PlaceKind::Overlap, a.box.low, a.box.high, 0, gap, parameters_of(a, b)};
   }
 
   static std::array<Interval, 4> parameters_of(const FaceData& a, const FaceData& b) {
@@ -285,8 +290,7 @@ class PairIntersector {
     const std::vector<Overlap> whole = found.overlaps;
     const std::vector<Touch> touches = clip(found, faces_a_.data(i).trims, &faces_b_.data(j).trims,
                                             0, std::max(kOnWire, options_.tolerances.point));
-    if (found.overlaps.size() < whole.size())
-      add_overlaps(faces_a_.face(i), faces_b_.face(j), whole, found);
+    if (found.overlaps.size() < whole.size()) add_overlaps(i, j, whole, found);
     return touches;
   }
 
@@ -374,20 +378,30 @@ class PairIntersector {
   }
 
   // What the trims leave of common regions of the surfaces.
-  void add_overlaps(const TopoDS_Face& a, const TopoDS_Face& b, const std::vector<Overlap>& whole,
+  void add_overlaps(std::size_t i, std::size_t j, const std::vector<Overlap>& whole,
                     SurfaceIntersection& found) const {
     TrimmedOverlaps trimmed;
     const IntersectionOptions left = limit_.remaining();
     try {
       trimmed = guarded("clipping a common region", [&] {
-        return trimmed_overlaps(a, b, whole, left.tolerances.point, WorkLimit(left));
+        return trimmed_overlaps(faces_a_.face(i), faces_b_.face(j), whole, left.tolerances.point,
+                                WorkLimit(left));
       });
     } catch (const std::exception& error) {
       trimmed.complete = false;
       found.certificate.reasons.emplace_back(error.what());
     }
     found.overlaps = std::move(trimmed.regions);
+    std::erase_if(found.places,
+                  [](const Place& place) { return place.kind == PlaceKind::Overlap; });
+    for (const Overlap& region : found.overlaps)
+      if (!region.boundary.empty())
+        found.places.push_back(
+            place_of(region.boundary, PlaceKind::Overlap, region.gap_high, left.tolerances.point));
+      else  // it is all there is
+        found.places.push_back(whole_place(faces_a_.data(i), faces_b_.data(j), region.gap_high));
     if (trimmed.complete) return;
+    found.places.push_back(open_place(faces_a_.data(i), faces_b_.data(j)));
     found.status = Status::Stopped;
     found.certificate.reasons.emplace_back(
         trimmed.stopped != nullptr ? trimmed.stopped

@@ -254,6 +254,11 @@ std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const Fa
   };
   std::erase_if(found.points, outside);
   std::erase_if(found.nodes, outside);
+  std::erase_if(found.places, [&](const Place& place) {
+    const auto& at = place.parameters;
+    return place.kind != PlaceKind::Open && (!may_lie_inside(a, at[0], at[1]) ||
+                                             (b != nullptr && !may_lie_inside(*b, at[2], at[3])));
+  });
   if (!a.natural || (b != nullptr && !b->natural)) found.overlaps.clear();
   leave_new_ones(found, touches);
   std::vector<Touch> told;

@@ -4,16 +4,21 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeWedge.hxx>
+#include <Geom2d_Circle.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp.hxx>
@@ -167,6 +172,25 @@ TEST(SelfIntersectShapes, FindWhereDifferentFacesCross) {
     EXPECT_LT(pair.face_a, pair.face_b);
     EXPECT_EQ(pair.face_b, 6);
     for (const IntersectionCurve& curve : pair.found.curves) EXPECT_NEAR(curve.length, 1, 1e-9);
+  }
+}
+
+TEST(IntersectShapes, SeesNoContactOfFacesThatLieApartOnOneSurface) {
+  TColgp_Array2OfPnt poles(1, 4, 1, 4);
+  for (int i = 1; i <= 4; ++i)
+    for (int j = 1; j <= 4; ++j) poles(i, j) = gp_Pnt(i, j, 0.3 * std::sin(2.0 * i) * j);
+  const Handle(Geom_Surface) surface = new Geom_BezierSurface(poles);
+  const auto disc = [&](double u, double v) -> TopoDS_Face {
+    const Handle(Geom2d_Curve) circle =
+        new Geom2d_Circle(gp_Ax2d(gp_Pnt2d(u, v), gp_Dir2d(1, 0)), 0.25);
+    const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(circle, surface);
+    BRepLib::BuildCurve3d(edge);
+    return BRepBuilderAPI_MakeFace(surface, BRepBuilderAPI_MakeWire(edge));
+  };
+  const ShapeIntersection found = intersect({disc(0.31, 0.31)}, {disc(0.69, 0.69)});
+  for (const FaceIntersection& pair : found.pairs) {
+    EXPECT_TRUE(pair.found.places.empty());
+    EXPECT_TRUE(pair.found.overlaps.empty());
   }
 }
 
