@@ -61,15 +61,15 @@ struct SheetWork {
   }
 
   bool is_done() const { return faces.empty() || !told.obstacles.empty(); }
-  std::vector<SolidFace> divided(const Divider& by);
+  std::vector<SolidFace> divided(const Divider& by, SolidOperation how);
   void take(const std::vector<Divider>& all);
 };
 
 // What one tool leaves of the sheet so far.
-std::vector<SolidFace> SheetWork::divided(const Divider& by) {
+std::vector<SolidFace> SheetWork::divided(const Divider& by, SolidOperation how) {
   TrimTool sheet;
   for (const SolidFace& of : faces) sheet.faces.push_back(of.face);
-  SolidTrimResult made = combined_pair(sheet, by.tool, operation, limit.remaining(), cones, valid);
+  SolidTrimResult made = combined_pair(sheet, by.tool, how, limit.remaining(), cones, valid);
   for (SolidFace& of : made.faces) {
     if (of.tool < 0) {
       const SolidFace& origin = faces[static_cast<std::size_t>(of.from)];
@@ -86,16 +86,20 @@ std::vector<SolidFace> SheetWork::divided(const Divider& by) {
   return std::move(made.faces);
 }
 
-// What is in any of the solids of one tool is in common with it.
+// What is in any of the solids of one tool is in common with it. What one of them has taken is no
+// part of the sheet for the next, which may share a face with it.
 void SheetWork::take(const std::vector<Divider>& all) {
   std::vector<SolidFace> common;
   for (const Divider& by : all) {
     if (is_done()) return;
-    std::vector<SolidFace> left = divided(by);
-    if (operation == SolidOperation::Common)
-      common.insert(common.end(), left.begin(), left.end());
-    else
-      faces = std::move(left);
+    if (operation != SolidOperation::Common) {
+      faces = divided(by, operation);
+      continue;
+    }
+    const std::vector<SolidFace> taken = divided(by, SolidOperation::Common);
+    common.insert(common.end(), taken.begin(), taken.end());
+    if (&by != &all.back() && !taken.empty() && told.obstacles.empty())
+      faces = divided(by, SolidOperation::Cut);
   }
   if (operation == SolidOperation::Common) faces = std::move(common);
 }

@@ -265,12 +265,10 @@ std::optional<bool> holds(const TopoDS_Shell& shell, const gp_Pnt& point) try {
   for (TopExp_Explorer it(shell, TopAbs_FACE); it.More(); it.Next())
     faces.push_back(TopoDS::Face(it.Current()));
   SolidRays rays(std::move(faces), Precision::Confusion());
-  int agreeing = 0;
+  int inside = 0, outside = 0;
   for (const Vec3& direction : kRayDirections) {
-    const auto inside = rays.is_inside({point.X(), point.Y(), point.Z()}, direction);
-    if (!inside) continue;
-    if (!*inside) return false;
-    if (++agreeing == kAgreeing) return true;
+    const auto told = rays.is_inside({point.X(), point.Y(), point.Z()}, direction);
+    if (told && ++(*told ? inside : outside) == kAgreeing) return *told;
   }
   return std::nullopt;
 } catch (const BadModel&) {

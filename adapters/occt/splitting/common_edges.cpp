@@ -174,7 +174,8 @@ void CommonEdges::lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t 
 void CommonEdges::meet(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   if (!looked_.emplace(edges_.Add(a), edges_.Add(b)).second) return;
   if (box_of(a, reach(a)).IsOut(box_of(b, reach(b)))) return;
-  IntersectionOptions options = options_;
+  IntersectionOptions options = limit_.remaining();
+  options.threads = options_.threads;
   options.tolerances.point =
       std::max(std::max(reach(a), reach(b)) / kLiesReach, stated_together(a, b));
   const CurveIntersection found = intersect(a, b, options);

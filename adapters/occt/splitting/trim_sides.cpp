@@ -13,6 +13,7 @@
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Solid.hxx>
@@ -158,10 +159,23 @@ ToolSide side_of_faces(const std::vector<TopoDS_Face>& faces, const gp_Pnt& poin
   return least_open > least + Precision::Confusion() ? side_from(decided) : ToolSide::Unknown;
 }
 
+// A sheet need not part space: what reaches past its border may lie on both sides of it, and is on
+// none then.
+ToolSide side_of_sheet(const TopoDS_Face& piece, const gp_Pnt& inside, const TrimTool& sheet) {
+  const ToolSide side = side_of_faces(sheet.faces, inside);
+  for (TopExp_Explorer it(piece, TopAbs_VERTEX); it.More() && side != ToolSide::Unknown;
+       it.Next()) {
+    const gp_Pnt corner = BRep_Tool::Pnt(TopoDS::Vertex(it.Current()));
+    const ToolSide there = side_of_faces(sheet.faces, corner);
+    if (there != side && there != ToolSide::Unknown) return ToolSide::Unknown;
+  }
+  return side;
+}
+
 ToolSide side_by_point(const TopoDS_Face& piece, const TrimTool& tool, SolidClassifier& solids) {
   const std::optional<gp_Pnt> point = point_inside(piece);
   if (!point) return ToolSide::Unknown;
-  return tool.is_solid() ? solids.side(*point) : side_of_faces(tool.faces, *point);
+  return tool.is_solid() ? solids.side(*point) : side_of_sheet(piece, *point, tool);
 }
 
 }  // namespace

@@ -12,10 +12,13 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Sphere.hxx>
@@ -176,6 +179,23 @@ TEST(SheetTrim, RefusesWhatHasNoMeaning) {
   EXPECT_THROW(made_of(block(), {sheet}, SolidOperation::Cut), InvalidInput);
   EXPECT_THROW(made_of(block(), {sheet}, SolidOperation::Fuse), InvalidInput);
   EXPECT_THROW(made_of(sheet, {block()}, SolidOperation::Fuse), InvalidInput);
+}
+
+// The wall lies on both boxes, which touch there: each point of it is in common once.
+TEST(SheetTrim, WhatTwoTouchingSolidsHaveInCommonWithASheetCountsOnce) {
+  BRep_Builder builder;
+  TopoDS_Compound boxes;
+  builder.MakeCompound(boxes);
+  builder.Add(boxes, BRepPrimAPI_MakeBox(gp_Pnt(-10, -5, -5), gp_Pnt(0, 5, 5)).Shape());
+  builder.Add(boxes, BRepPrimAPI_MakeBox(gp_Pnt(0, -5, -5), gp_Pnt(10, 5, 5)).Shape());
+  const TopoDS_Shape wall = plate(gp_Pnt(0, 0, 0), gp::DX(), 10);
+  const auto area_of = [&](SolidOperation operation) {
+    double sum = 0;
+    for (const SolidFace& face : made_of(wall, {boxes}, operation).faces) sum += area(face.face);
+    return sum;
+  };
+  EXPECT_NEAR(area_of(SolidOperation::Common), 100, kClose);
+  EXPECT_NEAR(area_of(SolidOperation::Cut), 300, kClose);
 }
 
 }  // namespace
