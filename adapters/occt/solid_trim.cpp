@@ -16,6 +16,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/kept_tolerances.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_data.h"
@@ -326,6 +327,13 @@ void require_faces(const TrimTool& input, const std::string& name) {
   if (input.faces.empty()) throw BadModel(name + ": there is no face in it");
 }
 
+// What grew with a cut has grown in the result alone.
+void part_from_inputs(BRepTools_ReShape& copies, SolidTrimResult& result) {
+  for (TopoDS_Solid& solid : result.solids) solid = TopoDS::Solid(copies.Apply(solid));
+  for (TopoDS_Shell& sheet : result.sheets) sheet = TopoDS::Shell(copies.Apply(sheet));
+  for (SolidFace& face : result.faces) face.face = TopoDS::Face(copies.Apply(face.face));
+}
+
 }  // namespace
 
 std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& tools,
@@ -355,9 +363,12 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   for (std::size_t i = 0; i < tools.size(); ++i) require_faces(tools[i], tool_name(tools, i));
   if (const std::string cause = misplaced_sheet(part, tools, operation); !cause.empty())
     throw InvalidInput("trim: " + cause);
+  KeptTolerances kept(part.faces);
+  for (const TrimTool& tool : tools) kept.remember(tool.faces);
   SolidTrimResult result;
   with_threads(options.threads,
                [&] { result = trimmed_at_corners(part, tools, operation, options); });
+  if (const auto copies = kept.parted(); !copies.IsNull()) part_from_inputs(*copies, result);
   tell_loose_faces(part, tools, result);
   if (!part.is_solid()) result.open_part = describe_open_shell(part);
   if (!result.obstacles.empty()) {

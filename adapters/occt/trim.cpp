@@ -7,8 +7,10 @@
 #include <utility>
 
 #include <BRepCheck_Analyzer.hxx>
+#include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/kept_tolerances.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/intersection.h"
@@ -256,15 +258,13 @@ std::vector<DividedFace> divided_faces(const std::vector<Job>& jobs,
   return faces;
 }
 
-// A piece whose side is not known is missing where sides are asked for. Between two sheets of one
-// tool it may have none; beside solids it has.
+// A piece whose side is not known is missing where sides are asked for.
 void note_undecided(const TrimPiece& piece, const TrimOptions& options, TrimResult& result) {
   if (piece.side != PieceSide::Unknown || options.keep == Keep::All || options.keep == Keep::Number)
     return;
   result.notes.push_back("piece " + std::to_string(piece.number) +
                          ": side undecided, it is not kept");
-  if (options.keep == Keep::Inside || options.keep == Keep::Outside)
-    result.status = weaker(result.status, Status::Tolerance);
+  result.status = weaker(result.status, Status::Tolerance);
 }
 
 void collect(const std::vector<DividedFace>& faces, const TrimOptions& options,
@@ -352,6 +352,28 @@ void check_options(const std::vector<TrimTool>& tools, const TrimOptions& option
                          std::to_string(i + 1) + " is none");
 }
 
+KeptTolerances kept_tolerances(const std::vector<PartFace>& part,
+                               const std::vector<TrimTool>& tools) {
+  std::vector<TopoDS_Face> faces;
+  for (const PartFace& face : part) faces.push_back(face.face);
+  for (const TrimTool& tool : tools)
+    faces.insert(faces.end(), tool.faces.begin(), tool.faces.end());
+  return KeptTolerances(faces);
+}
+
+// What grew with a cut has grown in the result alone, and there for all faces that it belongs to.
+void part_from_inputs(const std::vector<PartFace>& part, BRepTools_ReShape& copies,
+                      TrimResult& result) {
+  const auto copied = [&](const TopoDS_Face& face) { return TopoDS::Face(copies.Apply(face)); };
+  for (TrimPiece& piece : result.pieces) piece.shape = copied(piece.shape);
+  for (auto& [number, faces] : result.replacements)
+    std::ranges::transform(faces, faces.begin(), copied);
+  for (const PartFace& face : part)
+    if (const TopoDS_Face now = copied(face.face);
+        !now.IsSame(face.face) && !result.replacements.contains(face.number))
+      result.replacements[face.number] = {now};
+}
+
 }  // namespace
 
 const char* to_string(PieceSide side) {
@@ -370,6 +392,7 @@ const char* to_string(PieceSide side) {
 TrimResult trim(const std::vector<PartFace>& part, const std::vector<TrimTool>& tools,
                 const TrimOptions& options) {
   check_options(tools, options);
+  KeptTolerances kept = kept_tolerances(part, tools);
   TrimResult result;
   const SharedLimit limit(options.intersection);
   std::optional<std::vector<DividedFace>> faces;
@@ -391,6 +414,7 @@ TrimResult trim(const std::vector<PartFace>& part, const std::vector<TrimTool>& 
   if (options.keep == Keep::Number && (options.piece < 1 || options.piece > count))
     throw InvalidInput("trim: there is no piece " + std::to_string(options.piece) + ", only 1 to " +
                        std::to_string(count));
+  if (const auto copies = kept.parted(); !copies.IsNull()) part_from_inputs(part, *copies, result);
   return result;
 }
 

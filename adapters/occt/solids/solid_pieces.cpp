@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/solids/solid_pieces.h"
+#include "adapters/occt/base/kept_tolerances.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,6 @@
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/curve_edges.h"
 #include "adapters/occt/solids/solid_loose_ends.h"
-#include "adapters/occt/solids/tolerances/kept_tolerances.h"
 #include "adapters/occt/solids/tolerances/stated_tolerance.h"
 #include "adapters/occt/solids/touching_curves.h"
 #include "adapters/occt/splitting/common_edges.h"
@@ -407,7 +407,8 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
 SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
                       EdgeTouches touches, EdgesLie lying, const IntersectionOptions& options,
                       Pending& untold) {
-  KeptTolerances kept(a, b);
+  KeptTolerances kept(a.faces);
+  kept.remember(b.faces);
   SolidPieces result = divided_alike(a, b, found, touches, lying, options, untold);
   if (result.obstacles.empty()) kept.leave();
   return result;

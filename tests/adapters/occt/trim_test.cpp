@@ -27,6 +27,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Cylinder.hxx>
@@ -322,6 +323,44 @@ TEST(Trim, CylindersInEachOtherCutBands) {
     on += piece.side == PieceSide::On ? 1 : 0;
   }
   EXPECT_EQ(on, 1);
+}
+
+// A sheet that ends before it parts nothing of what reaches past it on both sides.
+TEST(Trim, FaceThatPassesBesideASheetIsOnNoSideOfIt) {
+  const TrimTool sheet = plane_tool(gp_Pnt(0, 0, 5), gp::DZ(), 1);
+  const auto kept_of = [&](double low, double high) {
+    const TopoDS_Face wall = BRepBuilderAPI_MakeFace(
+        gp_Pln(gp_Ax3(gp_Pnt(3, 0, 0), gp::DX(), gp::DZ())), low, high, -1, 1);
+    return trim({{1, wall, true}}, {sheet}, {.keep = Keep::Below, .intersection = {}});
+  };
+  for (const double reach : {4.0, 12.0}) {
+    const TrimResult across = kept_of(-reach, 20);
+    EXPECT_EQ(across.pieces.front().side, PieceSide::Unknown);
+    EXPECT_EQ(across.status, Status::Tolerance);
+  }
+  EXPECT_EQ(kept_of(-4, 4).pieces.front().side, PieceSide::Below);
+}
+
+// A cut that ends beside a vertex is taken as one through it: the vertex has to hold both.
+TEST(Trim, TolerancesThatGrowWithACutAreThoseOfTheResultAlone) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  const auto loosest = [](const TopoDS_Shape& shape) {
+    double most = 0;
+    for (TopExp_Explorer it(shape, TopAbs_VERTEX); it.More(); it.Next())
+      most = std::max(most, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
+    return most;
+  };
+  const double before = loosest(box);
+  const gp_Dir across(1, 1, 0);
+  for (int round = 0; round < 3; ++round) {
+    const TrimResult cut =
+        trim(part_of(box), {plane_tool(gp_Pnt(2e-7, 10, 0), across)}, {.intersection = {}});
+    EXPECT_EQ(loosest(box), before);
+    const TopoDS_Shape made = rebuilt(box, cut);
+    EXPECT_TRUE(BRepCheck_Analyzer(made).IsValid());
+    EXPECT_EQ(uses_of_edges(made).count(1), 0u);
+    EXPECT_GT(loosest(made), before);
+  }
 }
 
 }  // namespace

@@ -27,10 +27,10 @@
 #include <gp_Circ.hxx>
 #include <gp_Vec.hxx>
 
+#include "adapters/occt/base/kept_tolerances.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/solids/solid_shells.h"
-#include "adapters/occt/solids/tolerances/kept_tolerances.h"
 #include "tests/support/measures.h"
 
 namespace blossom::occt {
@@ -196,7 +196,7 @@ TEST(NearContacts, AnAttemptThatFailsLeavesTolerancesAsTheyWere) {
   const TopoDS_Vertex vertex = TopoDS::Vertex(TopExp_Explorer(box, TopAbs_VERTEX).Current());
   const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(box, TopAbs_EDGE).Current());
   const auto widen = [&](bool leave) {
-    KeptTolerances kept(solid, solid);
+    KeptTolerances kept(solid.faces);
     BRep_Builder().UpdateVertex(vertex, 1e-3);
     BRep_Builder().UpdateEdge(edge, 1e-4);
     if (leave) kept.leave();
