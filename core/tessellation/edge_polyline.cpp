@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "core/base/errors.h"
 #include "core/forms/evaluation.h"
 #include "core/tessellation/segment_gap.h"
 
@@ -17,6 +19,7 @@ constexpr int kDeepest = 14;         // halvings of a span
 constexpr double kKink = 0.02;       // radians between spans: a corner, which gets a point
 constexpr double kRounding = 1e-6;   // of a segment or the deviation: nothing more for that
 constexpr int kLeastClosed = 3;
+constexpr double kMostSides = 1e6;  // of an edge; a choice, a face between such edges fills memory
 
 struct Piece {
   RationalBezierCurve curve;
@@ -147,6 +150,11 @@ void EdgePolyline::spread(bool closed) {
     const auto found = std::ranges::lower_bound(fine_parameters_, at_knot);
     kinks_.push_back(static_cast<std::size_t>(found - fine_parameters_.begin()));
   }
+  if (!(sigma_.back() <= kMostSides))
+    throw InvalidInput(
+        std::string("the deviation, the angle or the length of sides is too small: ") +
+        "an edge would have " + std::to_string(std::llround(std::min(sigma_.back(), 1e18))) +
+        " sides, and at most 1000000 are made");
   std::ranges::sort(kinks_);
   drop_close_kinks();
   const std::size_t parts = kinks_.size() - 1;

@@ -93,7 +93,8 @@ struct Rows {
 
   // How many, about; they are nearer than the sides of equilateral triangles are long.
   int count(const Spread& spread) const {
-    return std::min(kMostRows, static_cast<int>(std::ceil(spread.all() * 2 / std::sqrt(3.0))));
+    return static_cast<int>(
+        std::ceil(std::min<double>(kMostRows, spread.all() * 2 / std::sqrt(3.0))));
   }
 };
 

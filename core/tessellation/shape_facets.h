@@ -44,8 +44,9 @@ struct ShapeFacets {
 /// The facets of all faces.
 ///
 /// ask      asked now and then whether to go on; by one thread at a time
-/// throws   InvalidInput if the deviation is not positive and finite, another option is negative,
-///          or a number in the model names nothing
+/// throws   InvalidInput if the deviation is not positive and finite, another option is negative
+///          or so small that an edge would have more than a million sides, or a number in the
+///          model names nothing
 /// cost     about linear in the number of facets; faces are shared by the processor's cores, and
 ///          the result does not depend on their number
 ShapeFacets shape_facets(const ShapeModel& model, const FacetOptions& options,

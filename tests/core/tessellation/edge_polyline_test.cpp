@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/errors.h"
 #include "tests/support/random.h"
 #include "tests/support/solids.h"
 
@@ -80,6 +81,12 @@ TEST(EdgePolyline, HasSidesOfTheWantedLength) {
   const CurveSpans line = curve_spans(BezierCurve{{{0, 0, 0}, {10, 0, 0}}});
   EXPECT_EQ(EdgePolyline(line, false, {.deviation = 1, .edge_length = 0.5}).segments(), 20u);
   EXPECT_EQ(EdgePolyline(line, false, {.deviation = 1e-9}).segments(), 1u);
+}
+
+TEST(EdgePolyline, OfMoreSidesThanMemoryHoldsIsRefused) {
+  EXPECT_THROW(EdgePolyline(circle(), true, {.deviation = 1e-14}), InvalidInput);
+  EXPECT_THROW(EdgePolyline(circle(), true, {.deviation = 1e-3, .edge_length = 1e-12}),
+               InvalidInput);
 }
 
 TEST(EdgePolyline, HasAPointAtACorner) {
