@@ -67,6 +67,25 @@ double flat_cone_bound(const Elementary& plane, const Elementary& cone, const Ba
 
 }  // namespace
 
+Height height_over(const Elementary& surface, const Vec3& point) {
+  const Vec3 from = point - surface.centre, radial = across(from, surface.axis);
+  const Vec3 out = unit(radial);
+  const double along = dot(from, surface.axis), round = norm(radial);
+  switch (surface.kind) {
+    case ElementaryKind::Plane: return {along, surface.axis};
+    case ElementaryKind::Cylinder: return {round - surface.radius, out};
+    case ElementaryKind::Cone: {
+      const Vec3 rise = std::cos(surface.angle) * out -
+                        std::copysign(std::sin(surface.angle), along) * surface.axis;
+      return {dot(rise, from), rise};
+    }
+    case ElementaryKind::Sphere: return {norm(from) - surface.radius, unit(from)};
+    case ElementaryKind::Torus: break;
+  }
+  const Vec3 beside = from - surface.radius * out;
+  return {norm(beside) - surface.minor, unit(beside)};
+}
+
 double distance_bound(const Elementary& a, const Elementary& b, const Ball& ball) {
   if (a.kind == ElementaryKind::Plane && b.kind == ElementaryKind::Cone)
     return flat_cone_bound(a, b, ball);

@@ -52,6 +52,17 @@ inline Vec3 across(const Vec3& vector, const Vec3& axis) {
   return vector - dot(vector, axis) * axis;
 }
 
+/// How far a point is above a surface, and the direction in which that grows: a unit vector.
+struct Height {
+  double value = 0;
+  Vec3 rise;
+};
+
+/// The distance of a point from a surface but for its sign, which changes where the point crosses
+/// it. Of a cone the nearer half counts, and its rulings go on beyond the apex. On an axis, in the
+/// centre of a sphere and on the ring of a torus the direction is one of many, or nothing.
+Height height_over(const Elementary& surface, const Vec3& point);
+
 /// A ball in space.
 struct Ball {
   Vec3 centre;

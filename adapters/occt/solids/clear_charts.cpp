@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <numbers>
 #include <optional>
 
@@ -11,6 +10,7 @@
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GeomAPI_IntCS.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
@@ -32,14 +32,14 @@ namespace {
 
 using std::numbers::pi;
 
-// The c of the header. A choice: within it of a pole, longitudes are 16 times as dense as at the
-// equator.
+// The c of the header. Beside a seam that touches, at a height h, curves of intersection have a way
+// of sqrt(8 h r): with c r as much as half the chord of a quarter arc, as arcs are cut.
 constexpr double kClear = 1.0 / 16;
 // Turns to choose from. Of n multiples of the golden angle no two are nearer than 0.38 of an even
 // share: so no two of these are ruled out by one point that a seam has to keep off.
 constexpr int kTurns = static_cast<int>(0.38 * pi / kClear);
-// Of the distance to keep: the length of a stretch of a seam that is looked at as one. Where the
-// seam touches a surface, f and df/ds grow so little from one to the next that some are not clear.
+// Of c r: the length of a stretch of a seam that is looked at as one. In its middle |df/ds| is less
+// than c if the seam touches in it with a radius of more than half of this part of r.
 constexpr double kStretch = 0.25;
 
 // A face of the other solid that may come near, in the frame of a chart.
@@ -54,41 +54,6 @@ struct Surroundings {
   std::vector<Vec3> passages;  // of its edges through faces of the chart
 };
 
-// Of ends that are not clear with faces, and of seams with faces and passages; fewer is better.
-struct Hazards {
-  int ends = 0, seams = 0;
-
-  auto operator<=>(const Hazards&) const = default;
-  bool any() const { return ends + seams > 0; }
-};
-
-// With a sign, which changes where the surface is crossed.
-double height_over(const Elementary& surface, const Vec3& point) {
-  const Vec3 from = point - surface.centre;
-  const double along = dot(from, surface.axis), round = norm(across(from, surface.axis));
-  switch (surface.kind) {
-    case ElementaryKind::Plane: return along;
-    case ElementaryKind::Cylinder: return round - surface.radius;
-    case ElementaryKind::Cone:
-      return round * std::cos(surface.angle) - std::abs(along) * std::sin(surface.angle);
-    case ElementaryKind::Sphere: return norm(from) - surface.radius;
-    case ElementaryKind::Torus: return std::hypot(round - surface.radius, along) - surface.minor;
-  }
-  return 0;
-}
-
-// The direction in which the height grows, by differences over a step.
-Vec3 rise(const Elementary& surface, const Vec3& point, double step) {
-  Vec3 made;
-  for (int k = 0; k < 3; ++k) {
-    Vec3 before = point, after = point;
-    before[k] -= step;
-    after[k] += step;
-    made[k] = (height_over(surface, after) - height_over(surface, before)) / (2 * step);
-  }
-  return made;
-}
-
 // The face in a frame, as a copy that shares its geometry.
 TopoDS_Face seen_in(const gp_Ax3& frame, const TopoDS_Face& face) {
   gp_Trsf into;
@@ -96,80 +61,63 @@ TopoDS_Face seen_in(const gp_Ax3& frame, const TopoDS_Face& face) {
   return TopoDS::Face(face.Moved(into));
 }
 
-// Whether the seam lies in a face and crosses it: f vanishes, and so do its changes along the seam.
-bool is_border(const Seam& seam, double at, double step, const Elementary& face) {
-  const double before = std::max(at - step / seam.speed, seam.range.from);
-  const double after = std::min(at + step / seam.speed, seam.range.to);
-  for (const double place : {before, at, after})
-    if (std::abs(height_over(face, vec(seam.point(place)))) > Precision::Confusion()) return false;
-  const Vec3 point = vec(seam.point(at));
-  return norm(cross(rise(face, point, step), rise(seam.surface, point, step))) >= kClear;
+// Whether a stretch of a seam lies in a face and crosses it.
+bool is_border(const Seam& seam, const Interval& part, const Elementary& face) {
+  for (const double place : {part.from, at(part, 0.5), part.to})
+    if (std::abs(height_over(face, vec(seam.point(place))).value) > Precision::Confusion())
+      return false;
+  const Vec3 point = vec(seam.point(at(part, 0.5)));
+  return norm(cross(height_over(face, point).rise, height_over(seam.surface, point).rise)) >=
+         kClear;
+}
+
+// How many poles that a seam ends in lie ill.
+int ill_poles(const Seam& seam, double least, const Neighbour& face) {
+  int count = 0;
+  for (const bool last : {false, true}) {
+    const gp_Pnt end = seam.point(last ? seam.range.to : seam.range.from);
+    count += seam.at_pole[last] && !face.box.IsOut(end) &&
+             std::abs(height_over(face.surface, vec(end)).value) < least;
+  }
+  return count;
 }
 
 // Whether some stretch of a seam between parameters lies ill. Along it f changes by no more than
 // its length.
-//
-// least    the distance to keep
-// f        of points, changes by no more than these move
-// box      f says nothing elsewhere
-// is_ill   whether a short stretch in whose middle |f| is less lies ill
-template <class Height, class IsIll>
-bool lies_ill(const Seam& seam, const Interval& part, double least, const Bnd_Box& box,
-              const Height& f, const IsIll& is_ill) {
-  const gp_Pnt middle = seam.point(at(part, 0.5));
+bool lies_ill(const Seam& seam, const Interval& part, double least, const Neighbour& face) {
+  gp_Pnt middle;
+  gp_Vec along;
+  seam.curve->D1(at(part, 0.5), middle, along);
   const double reach = seam.speed * length(part) / 2;
   Bnd_Box held(middle, middle);
   held.SetGap(reach);
-  if (box.IsOut(held) || std::abs(f(vec(middle))) >= least + reach) return false;
-  if (2 * reach <= kStretch * least) return is_ill(part);
-  return lies_ill(seam, {part.from, at(part, 0.5)}, least, box, f, is_ill) ||
-         lies_ill(seam, {at(part, 0.5), part.to}, least, box, f, is_ill);
-}
-
-bool lies_ill(const Seam& seam, double least, const Neighbour& face) {
-  const auto f = [&](const Vec3& point) { return height_over(face.surface, point); };
-  return lies_ill(seam, seam.range, least, face.box, f, [&](const Interval& part) {
-    const double way = seam.speed * length(part);
-    const double change = f(vec(seam.point(part.to))) - f(vec(seam.point(part.from)));
-    return std::abs(change) < kClear * way &&
-           !is_border(seam, at(part, 0.5), way / 2, face.surface);
-  });
+  const Height height = height_over(face.surface, vec(middle));
+  if (face.box.IsOut(held) || std::abs(height.value) >= least + reach) return false;
+  if (2 * reach <= kStretch * least)
+    return std::abs(dot(height.rise, vec(along))) < kClear * seam.speed &&
+           !is_border(seam, part, face.surface);
+  return lies_ill(seam, {part.from, at(part, 0.5)}, least, face) ||
+         lies_ill(seam, {at(part, 0.5), part.to}, least, face);
 }
 
 bool lies_ill(const Seam& seam, double least, const Vec3& passage) {
-  Bnd_Box box(pnt(passage), pnt(passage));
-  box.SetGap(least);
-  const auto f = [&](const Vec3& point) { return distance(point, passage); };
-  return lies_ill(seam, seam.range, least, box, f, [](const Interval&) { return true; });
+  const gp_Pnt point = pnt(passage);
+  const auto [from, to] = seam.range;
+  if (point.Distance(seam.point(from)) < least || point.Distance(seam.point(to)) < least)
+    return true;
+  const GeomAPI_ProjectPointOnCurve feet(point, seam.curve, from, to);
+  return feet.NbPoints() > 0 && feet.LowerDistance() < least;
 }
 
-// How many ends of seams lie ill. Where one of the seams is a border the corner lies in it; poles
-// are singular whatever goes through them.
-int ill_ends(const std::vector<Seam>& seams, double least, const Neighbour& face) {
-  const bool is_followed = std::ranges::any_of(seams, [&](const Seam& seam) {
-    return is_border(seam, seam.range.from, kStretch * least / 2, face.surface) ||
-           is_border(seam, seam.range.to, kStretch * least / 2, face.surface);
-  });
+// How often seams and poles lie ill; fewer is better.
+int hazards_of(const std::vector<Seam>& seams, double least, const Surroundings& near) {
   int count = 0;
-  for (const Seam& seam : seams)
-    for (const bool last : {false, true}) {
-      const gp_Pnt end = seam.point(last ? seam.range.to : seam.range.from);
-      const bool is_near =
-          !face.box.IsOut(end) && std::abs(height_over(face.surface, vec(end))) < least;
-      count += is_near && (seam.at_pole[last] || !is_followed);
-    }
-  return count;
-}
-
-Hazards hazards_of(const std::vector<Seam>& seams, double least, const Surroundings& near) {
-  Hazards all;
-  for (const Neighbour& face : near.faces) {
-    all.ends += ill_ends(seams, least, face);
-    for (const Seam& seam : seams) all.seams += lies_ill(seam, least, face);
+  for (const Seam& seam : seams) {
+    for (const Neighbour& face : near.faces)
+      count += ill_poles(seam, least, face) + lies_ill(seam, seam.range, least, face);
+    for (const Vec3& passage : near.passages) count += lies_ill(seam, least, passage);
   }
-  for (const Vec3& passage : near.passages)
-    for (const Seam& seam : seams) all.seams += lies_ill(seam, least, passage);
-  return all;
+  return count;
 }
 
 // Where edges of some faces go through the faces of a chart, in its frame.
@@ -231,11 +179,11 @@ ChartMove move_of(ChartKind kind, int number) {
 // Nothing if none is better than to leave the chart as it is.
 std::optional<ChartMove> better_move(const FreeChart& chart, const Surroundings& near) {
   const double least = kClear * chart.size;
-  Hazards best = hazards_of(chart.seams, least, near);
+  int best = hazards_of(chart.seams, least, near);
   std::optional<ChartMove> found;
-  for (int number = 0; number < kTurns && best.any(); ++number) {
+  for (int number = 0; number < kTurns && best > 0; ++number) {
     const ChartMove move = move_of(chart.kind, number);
-    const Hazards left = hazards_of(moved_seams(chart, move), least, near);
+    const int left = hazards_of(moved_seams(chart, move), least, near);
     if (left >= best) continue;
     best = left;
     found = move;

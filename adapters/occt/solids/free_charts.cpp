@@ -133,6 +133,12 @@ bool can_turn(const std::vector<TopoDS_Face>& group, const Neighbourhood& all) {
   });
 }
 
+gp_Trsf transformation_into(const gp_Ax3& frame) {
+  gp_Trsf made;
+  made.SetTransformation(frame);
+  return made;
+}
+
 // The seams of a face as they are; nothing if one is no line or circle.
 std::optional<std::vector<Seam>> seams_of(const TopoDS_Face& face, const gp_Trsf& into) {
   const auto surface = elementary_of(BRep_Tool::Surface(TopoDS::Face(face.Moved(into))));
@@ -175,10 +181,8 @@ std::optional<FreeChart> chart_of(const std::vector<TopoDS_Face>& group) {
   const gp_Ax3 own = *frame_of(group.front());
   FreeChart made{kind_of(group), gp_Ax3(own.Location(), own.Direction(), own.XDirection())};
   made.faces = group;
-  gp_Trsf into;
-  into.SetTransformation(made.frame);
   for (const TopoDS_Face& face : group) {
-    const auto seams = seams_of(face, into);
+    const auto seams = seams_of(face, transformation_into(made.frame));
     if (!seams) return std::nullopt;
     for (const Seam& seam : *seams)
       for (const double part : {0.0, 0.5, 1.0})
@@ -195,21 +199,6 @@ gp_Trsf turn_within(const gp_Ax3& frame, const ChartMove& move) {
   gp_Trsf made;
   made.SetRotation(gp_Ax1(frame.Location(), gp_Dir(axis)), move.angle);
   return made;
-}
-
-Seam circle_on(const Elementary& torus, const gp_Ax2& place, double radius, double from) {
-  return {new Geom_Circle(place, radius), {from, from + 2 * pi}, radius, torus, {false, false}};
-}
-
-// Over the place where the chart begins, and about the axis, from the corner on.
-std::vector<Seam> seams_of_ring(const Elementary& torus, const ChartMove& move) {
-  const gp_Dir out(std::cos(move.angle), std::sin(move.angle), 0);
-  const gp_Pnt middle(torus.radius * out.XYZ());
-  const double far = torus.radius + torus.minor * std::cos(move.along_tube);
-  const double high = torus.minor * std::sin(move.along_tube);
-  return {
-      circle_on(torus, gp_Ax2(middle, out.Crossed(gp::DZ()), out), torus.minor, move.along_tube),
-      circle_on(torus, gp_Ax2(gp_Pnt(0, 0, high), gp::DZ()), far, move.angle)};
 }
 
 // The same torus with its corner elsewhere in its chart, and the seams through it.
@@ -245,6 +234,12 @@ TopoDS_Face with_seams_at(const TopoDS_Face& face, double u, double v) {
   return TopoDS::Face(made.Oriented(face.Orientation()));
 }
 
+TopoDS_Face moved_ring(const FreeChart& chart, const ChartMove& move) {
+  const TopoDS_Face& face = chart.faces.front();
+  const bool is_mirrored = !frame_of(face)->Direct();  // longitudes are counted the other way
+  return with_seams_at(face, is_mirrored ? -move.angle : move.angle, move.along_tube);
+}
+
 }  // namespace
 
 std::vector<FreeChart> free_charts(const std::vector<TopoDS_Face>& faces) {
@@ -264,7 +259,8 @@ std::vector<FreeChart> free_charts(const std::vector<TopoDS_Face>& faces) {
 }
 
 std::vector<Seam> moved_seams(const FreeChart& chart, const ChartMove& move) {
-  if (chart.kind == ChartKind::Ring) return seams_of_ring(chart.seams.front().surface, move);
+  if (chart.kind == ChartKind::Ring)
+    return *seams_of(moved_ring(chart, move), transformation_into(chart.frame));
   std::vector<Seam> moved = chart.seams;
   const gp_Trsf turn = turn_within(gp_Ax3(), move);
   for (Seam& seam : moved) seam.curve = Handle(Geom_Curve)::DownCast(seam.curve->Transformed(turn));
@@ -273,10 +269,7 @@ std::vector<Seam> moved_seams(const FreeChart& chart, const ChartMove& move) {
 
 void move_chart(const FreeChart& chart, const ChartMove& move, BRepTools_ReShape& into) {
   if (chart.kind == ChartKind::Ring) {
-    const TopoDS_Face& face = chart.faces.front();
-    const bool is_mirrored = !frame_of(face)->Direct();  // longitudes are counted the other way
-    into.Replace(face,
-                 with_seams_at(face, is_mirrored ? -move.angle : move.angle, move.along_tube));
+    into.Replace(chart.faces.front(), moved_ring(chart, move));
     return;
   }
   const TopoDS_Shape all = compound_of(chart.faces);

@@ -128,5 +128,33 @@ TEST(DistanceBoundOfElementarySurfaces, IsInfiniteForTwoKinds) {
   EXPECT_FALSE(std::isfinite(distance_bound(plane, ball, {{0, 0, 0}, 1})));
 }
 
+// At a point of each one, and a step off it along its normal there.
+TEST(Elementary, HeightsOverThemGrowAlongNormals) {
+  const Vec3 centre{1, -2, 3}, axis{0, 0, 1};
+  const double angle = 0.3, step = 0.125;
+  struct Case {
+    Elementary surface;
+    Vec3 point, normal;
+  };
+  const Vec3 slope{std::cos(angle), 0, -std::sin(angle)};
+  for (const Case& one :
+       {Case{{ElementaryKind::Plane, centre, axis, 0, 0, 0}, {5, 5, 3}, axis},
+        Case{{ElementaryKind::Cylinder, centre, axis, 2, 0, 0}, {3, -2, 9}, {1, 0, 0}},
+        Case{{ElementaryKind::Cone, centre, axis, 0, 0, angle},
+             {1 + 4 * std::tan(angle), -2, 7},
+             slope},
+        Case{{ElementaryKind::Cone, centre, axis, 0, 0, angle},
+             {1 + 4 * std::tan(angle), -2, -1},
+             {slope[0], 0, -slope[2]}},
+        Case{{ElementaryKind::Sphere, centre, axis, 2, 0, 0}, {1, 0, 3}, {0, 1, 0}},
+        Case{{ElementaryKind::Torus, centre, axis, 2, 0.5, 0}, {3, -2, 3.5}, {0, 0, 1}},
+        Case{{ElementaryKind::Torus, centre, axis, 2, 0.5, 0}, {2.5, -2, 3}, {-1, 0, 0}}})
+    for (const double off : {-step, 0.0, step}) {
+      const Height height = height_over(one.surface, one.point + off * one.normal);
+      EXPECT_NEAR(height.value, off, 1e-15);
+      EXPECT_LT(distance(height.rise, one.normal), 1e-15);
+    }
+}
+
 }  // namespace
 }  // namespace blossom
