@@ -2,6 +2,7 @@
 #include "adapters/occt/solids/clear_charts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -71,17 +72,6 @@ bool is_border(const Seam& seam, const Interval& part, const Elementary& face) {
          kClear;
 }
 
-// How many poles that a seam ends in lie ill.
-int ill_poles(const Seam& seam, double least, const Neighbour& face) {
-  int count = 0;
-  for (const bool last : {false, true}) {
-    const gp_Pnt end = seam.point(last ? seam.range.to : seam.range.from);
-    count += seam.at_pole[last] && !face.box.IsOut(end) &&
-             std::abs(height_over(face.surface, vec(end)).value) < least;
-  }
-  return count;
-}
-
 // Whether some stretch of a seam between parameters lies ill. Along it f changes by no more than
 // its length.
 bool lies_ill(const Seam& seam, const Interval& part, double least, const Neighbour& face) {
@@ -103,20 +93,42 @@ bool lies_ill(const Seam& seam, const Interval& part, double least, const Neighb
 bool lies_ill(const Seam& seam, double least, const Vec3& passage) {
   const gp_Pnt point = pnt(passage);
   const auto [from, to] = seam.range;
-  if (point.Distance(seam.point(from)) < least || point.Distance(seam.point(to)) < least)
-    return true;
+  const double near = least * (1 + kStretch / 2);
+  if (point.Distance(seam.point(from)) < near || point.Distance(seam.point(to)) < near) return true;
   const GeomAPI_ProjectPointOnCurve feet(point, seam.curve, from, to);
-  return feet.NbPoints() > 0 && feet.LowerDistance() < least;
+  return feet.NbPoints() > 0 && feet.LowerDistance() < near;
 }
 
-// How often seams and poles lie ill; fewer is better.
-int hazards_of(const std::vector<Seam>& seams, double least, const Surroundings& near) {
+// How many ends of seams lie ill. Where one of the seams is a border the corner lies in it; poles
+// are singular whatever goes through them.
+int ill_ends(const std::vector<Seam>& seams, double least, const Neighbour& face) {
+  const auto is_followed = [&](const Seam& seam) {
+    const double step = kStretch * least / seam.speed;
+    return is_border(seam, {seam.range.from, seam.range.from + step}, face.surface) ||
+           is_border(seam, {seam.range.to - step, seam.range.to}, face.surface);
+  };
+  const bool any_followed = std::ranges::any_of(seams, is_followed);
   int count = 0;
-  for (const Seam& seam : seams) {
-    for (const Neighbour& face : near.faces)
-      count += ill_poles(seam, least, face) + lies_ill(seam, seam.range, least, face);
-    for (const Vec3& passage : near.passages) count += lies_ill(seam, least, passage);
+  for (const Seam& seam : seams)
+    for (const bool last : {false, true}) {
+      const gp_Pnt end = seam.point(last ? seam.range.to : seam.range.from);
+      count += (seam.at_pole[last] || !any_followed) && !face.box.IsOut(end) &&
+               std::abs(height_over(face.surface, vec(end)).value) < least;
+    }
+  return count;
+}
+
+// Of ends that lie ill, and of seams; fewer is better, of ends first.
+using Hazards = std::array<int, 2>;
+
+Hazards hazards_of(const std::vector<Seam>& seams, double least, const Surroundings& near) {
+  Hazards count{};
+  for (const Neighbour& face : near.faces) {
+    count[0] += ill_ends(seams, least, face);
+    for (const Seam& seam : seams) count[1] += lies_ill(seam, seam.range, least, face);
   }
+  for (const Vec3& passage : near.passages)
+    for (const Seam& seam : seams) count[1] += lies_ill(seam, least, passage);
   return count;
 }
 
@@ -179,11 +191,11 @@ ChartMove move_of(ChartKind kind, int number) {
 // Nothing if none is better than to leave the chart as it is.
 std::optional<ChartMove> better_move(const FreeChart& chart, const Surroundings& near) {
   const double least = kClear * chart.size;
-  int best = hazards_of(chart.seams, least, near);
+  Hazards best = hazards_of(chart.seams, least, near);
   std::optional<ChartMove> found;
-  for (int number = 0; number < kTurns && best > 0; ++number) {
+  for (int number = 0; number < kTurns && best > Hazards{}; ++number) {
     const ChartMove move = move_of(chart.kind, number);
-    const int left = hazards_of(moved_seams(chart, move), least, near);
+    const Hazards left = hazards_of(moved_seams(chart, move), least, near);
     if (left >= best) continue;
     best = left;
     found = move;

@@ -28,17 +28,17 @@ struct ClearCharts {
 /// they are as regular as elsewhere. With f the distance of a point from a surface, with a sign, s
 /// the length along the seam and r the chart's largest distance from its axis,
 ///
-///   a pole is clear       where |f| >= c r
-///   and so is a seam      where |f| >= c r or |df/ds| >= c      (it crosses, if it meets)
+///   an end is clear       where |f| >= c r
+///   and so is the seam    where |f| >= c r or |df/ds| >= c      (it crosses, if it meets)
 ///                         and no edge of the other solid goes through the face within c r
 ///
 /// for all planes, cylinders, cones, spheres and tori of the other solid near it. So no two seams
 /// cross a curve of intersection side by side either. What a seam lies in and crosses, as a plane
 /// through the axis, is no reason to move it: there it is a border.
 ///
-/// A chart is moved where that leaves fewer poles and seams that are not clear, each counted once
-/// for each face or edge; of such moves the first best one of a fixed list in the chart's own
-/// frame, so that where the solids lie changes nothing.
+/// A chart is moved where that leaves fewer faces near ends, or as few there and fewer things near
+/// the rest; of such moves the first best one of a fixed list in the chart's own frame, so that
+/// where the solids lie changes nothing.
 ///
 /// returns   the same faces in the same order, with their tolerances
 ClearCharts clear_charts(const TrimTool& solid, const TrimTool& other);
