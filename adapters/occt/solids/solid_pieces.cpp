@@ -148,7 +148,8 @@ void lay(const std::vector<std::vector<TopoDS_Edge>>& edges, const CommonEdges& 
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (const TopoDS_Edge& edge : edges[i]) {
       side.faces[i].begin(job);
-      side.faces[i].splitter()->lay(edge, common.reach(edge));
+      side.faces[i].splitter()->lay(edge, common.reach(edge),
+                                    common.runs_along(edge, side.faces[i].face()));
     }
 }
 

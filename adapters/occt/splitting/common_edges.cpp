@@ -46,6 +46,10 @@ Box spline_box(const Spline& curve) {
   return box;
 }
 
+Interval increasing(const Interval& of) {
+  return {std::min(of.from, of.to), std::max(of.from, of.to)};
+}
+
 }  // namespace
 
 CommonEdges::CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
@@ -275,6 +279,18 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
   return along;
 }
 
+std::vector<Interval> CommonEdges::runs_along(const TopoDS_Edge& edge,
+                                              const TopoDS_Face& face) const {
+  TopTools_IndexedMapOfShape own;
+  TopExp::MapShapes(face, TopAbs_EDGE, own);
+  std::vector<Interval> runs;
+  for (const EdgesAlong& of : along_) {
+    if (of.a.IsSame(edge) && own.Contains(of.b)) runs.push_back(of.at_a);
+    if (of.b.IsSame(edge) && own.Contains(of.a)) runs.push_back(increasing(of.at_b));
+  }
+  return runs;
+}
+
 // What is known to be a vertex comes first, so that it stands for all that is in one place with it.
 void CommonEdges::split(EdgeSplits& splits) const {
   for (const EdgeBlur& of : blurs_) splits.blur(of.edge, of.at);
@@ -305,9 +321,6 @@ void CommonEdges::match(EdgeSplits& splits) const {
       splits.unite(splits.vertex(from, i), splits.vertex(to, split));
     }
     return splits.count(to);
-  };
-  const auto increasing = [](const Interval& of) {
-    return Interval{std::min(of.from, of.to), std::max(of.from, of.to)};
   };
   for (const EdgesAlong& of : along_) {
     carry(of.a, of.b, of.at_a);

@@ -98,6 +98,9 @@ class CommonEdges {
   const std::vector<std::vector<TopoDS_Edge>>& in_a() const { return in_a_; }
   const std::vector<std::vector<TopoDS_Edge>>& in_b() const { return in_b_; }
 
+  /// Where an edge of one shape runs along edges of a face of the other.
+  std::vector<Interval> runs_along(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
+
   /// Splits edges where they meet, and unites their vertices; and where they touch faces.
   void split(EdgeSplits& splits) const;
 

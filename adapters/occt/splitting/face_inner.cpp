@@ -22,7 +22,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kReach = 10;    // tolerances: what is so near a wire lies on it
+constexpr double kReach = 10;    // tolerances: what is so near a pole, or its surface, is on it
 constexpr int kTurns = 2;        // periods that trims reach beyond the first one at most
 constexpr double kOnEnd = 1e-9;  // of an edge: a place so near its end is it
 
@@ -95,26 +95,19 @@ bool FaceSplitter::add_laid_arcs() {
   if (laid_.empty()) return false;
   const std::size_t before = arcs_.size();
   const SurfaceProjector feet(face_, tolerance_);
-  for (const auto& [edge, reach] : laid_)
-    for (const EdgePiece& piece : splits_.pieces(edge)) add_laid_arc(piece, reach, feet);
+  for (const auto& [edge, reach, along] : laid_)
+    for (const EdgePiece& piece : splits_.pieces(edge)) {
+      const double middle = at(piece.range, 0.5);
+      if (std::ranges::none_of(
+              along, [&](const Interval& run) { return run.from <= middle && middle <= run.to; }))
+        add_laid_arc(piece, reach, feet);
+    }
   return arcs_.size() > before;
 }
 
-bool FaceSplitter::lies_on_wire(const PlanarCurve& curve) const {
-  for (const auto& loop : trims_.loops)
-    for (const Coedge& of : loop) {
-      const auto near = [&](double part) {
-        const Vec2 point = point_at(curve, at(curve.domain(), part));
-        return nearest(of.curve, point).distance <= kReach * tolerance_;
-      };
-      if (near(0.5) && near(0.25) && near(0.75)) return true;
-    }
-  return false;
-}
-
 // A pole is one vertex but a whole side of the chart: it is split where the edge comes to it.
-void FaceSplitter::lay(const TopoDS_Edge& edge, double reach) {
-  laid_.emplace_back(edge, reach);
+void FaceSplitter::lay(const TopoDS_Edge& edge, double reach, const std::vector<Interval>& along) {
+  laid_.push_back({edge, reach, along});
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i)
       if (trims_.loops[loop][i].degenerated)
@@ -208,7 +201,7 @@ void FaceSplitter::add_laid_arc(const EdgePiece& piece, double reach,
   };
   for (const Vec2& shift : period_shifts(trims_, of.chart)) {
     const PlanarCurve moved = transformed(of.chart, {1, 1}, shift);
-    if (!is_inside(trims_, point_at(moved, at(piece.range, 0.5))) || lies_on_wire(moved)) continue;
+    if (!is_inside(trims_, point_at(moved, at(piece.range, 0.5)))) continue;
     PlanarPath path = bezier_pieces(moved, piece.range);
     if (path.empty()) continue;
     const int from = vertex(TopExp::FirstVertex(piece.edge), start_of(path));

@@ -103,7 +103,8 @@ class FaceSplitter {
   /// before `split`. Its pieces inside of the face divide it as cuts do; those along borders or
   /// outside, and those that divide nothing, are left out.
   /// reach   what of the edge is so near the surface lies in it; model units
-  void lay(const TopoDS_Edge& edge, double reach);
+  /// along   where it runs along edges of the face, between splits
+  void lay(const TopoDS_Edge& edge, double reach, const std::vector<Interval>& along);
 
   /// Where a settled cut ends, meets wires or other cuts, by increasing parameter. For the face on
   /// the other side of the cut, which is to be divided at the same places.
@@ -208,7 +209,6 @@ class FaceSplitter {
   LaidCurve laid_curve(const TopoDS_Edge& edge, const SurfaceProjector& feet) const;
   TopoDS_Edge laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift) const;
   bool lies_in_face(const EdgePiece& piece, double reach, const SurfaceProjector& feet) const;
-  bool lies_on_wire(const PlanarCurve& curve) const;
   std::vector<int> imprints_among(const std::vector<int>& arcs, OpenCuts open) const;
 
   void add_border_arcs();
@@ -241,7 +241,12 @@ class FaceSplitter {
   std::vector<Vertex> vertices_;                        // the corners of the wires first
   std::vector<std::pair<TopoDS_Vertex, int>> aliases_;  // of the other sides of cuts, and ours
   std::vector<LiftedCut> lifted_cuts_;
-  std::vector<std::pair<TopoDS_Edge, double>> laid_;  // and how near they lie
+  struct Laid {
+    TopoDS_Edge edge;
+    double reach = 0;
+    std::vector<Interval> along;
+  };
+  std::vector<Laid> laid_;
   std::vector<ChartArc> arcs_;
   std::vector<Origin> origins_;  // one for each arc
   std::vector<std::string> notes_;

@@ -76,6 +76,19 @@ TEST(NearContacts, ACylinderThroughTheCornersOfACubeMayMissThemByALittle) {
   }
 }
 
+// Its rim crosses each side of the bottom that both stand on twice, and keeps within ten tolerances
+// of it between: the two run beside each other there, and are not one.
+TEST(NearContacts, ARimThatCrossesSidesByAFewTolerancesDividesThem) {
+  const TopoDS_Shape cube = BRepPrimAPI_MakeBox(5, 5, 5).Shape();
+  for (const double past : {6e-7, 8.5e-7, 5e-6}) {
+    const double r = 2.5 + past, height = 3;
+    const TopoDS_Shape rod =
+        BRepPrimAPI_MakeCylinder(gp_Ax2({2.5, 2.5, 0}, gp::DZ()), r, height).Shape();
+    expect_sound_volume(cube, rod, SolidOperation::Cut, 125 - kPi * r * r * height);
+    expect_sound_volume(cube, rod, SolidOperation::Common, kPi * r * r * height);
+  }
+}
+
 // Faces that state no more than usual, between edges that do.
 TEST(NearContacts, EdgesThatRunAlongEachOtherWithinWhatTheyStateAreOne) {
   constexpr double kStated = 1.5e-7, kShift = 1.4e-7;
