@@ -18,6 +18,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <GeomLProp_SLProps.hxx>
@@ -26,6 +27,7 @@
 #include <Geom_Plane.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
@@ -220,6 +222,29 @@ TEST(FilletOverSmoothNeighbours, GoesOnWhereContactsMeetBordersApart) {
     const FilletResult made = fillet(shape, {edges.front()}, {.radius = 1});
 
     expect_volume(made, 20 * 25 - 20 * kCut, 1e-9);
+  }
+}
+
+// The far end of the border is known to a large tolerance only; a small ball does not come near it.
+TEST(FilletOverSmoothNeighbours, IsAsExactAsIfTheFarEndsOfBordersWere) {
+  const TopoDS_Shape left = prism({{0, 0, 0}, {30, 0, 0}, {11, 5, 0}, {0, 5, 0}}, 5);
+  const TopoDS_Shape right = prism({{30, 0, 0}, {40, 0, 0}, {40, 5, 0}, {11, 5, 0}}, 5);
+  for (const double far : {1e-7, 0.02}) {
+    const TopoDS_Shape shape = BRepAlgoAPI_Fuse(left, right).Shape();
+    for (TopExp_Explorer it(shape, TopAbs_VERTEX); it.More(); it.Next())
+      if (const TopoDS_Vertex vertex = TopoDS::Vertex(it.Current());
+          BRep_Tool::Pnt(vertex).Distance({11, 5, 5}) < 1e-6)
+        BRep_Builder().UpdateVertex(vertex, far);
+    const std::vector<int> edges = edges_where(
+        shape, [](const Vec3& at) { return std::abs(at[1]) < 1e-9 && std::abs(at[2] - 5) < 1e-9; });
+    const FilletSection parabola{SectionKind::Conic, 0.5};  // its strips are fitted
+
+    const FilletResult made = fillet(shape, edges, {.radius = 0.01, .section = parabola});
+
+    ASSERT_EQ(made.solids.size(), 1U) << testing::told(made);
+    for (const FilletFace& face : made.solids.front().faces)
+      for (TopExp_Explorer it(face.face, TopAbs_EDGE); face.from == 0 && it.More(); it.Next())
+        EXPECT_LT(BRep_Tool::Tolerance(TopoDS::Edge(it.Current())), 1e-6) << far;
   }
 }
 

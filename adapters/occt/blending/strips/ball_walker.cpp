@@ -136,7 +136,7 @@ std::optional<ContactCrossing> BallWalker::first_crossing(const WalkedStrip& of,
 }
 
 // Where strips end at an edge, or lean on one, they are as near to each other as it is to its
-// faces.
+// faces; in one of its vertices, as that is to it.
 double BallWalker::reach_at(const WalkedStrip& of, const WalkExit& exit) const {
   double reach = options_.tolerance;
   for (const std::size_t side : {0U, 1U})
@@ -144,9 +144,12 @@ double BallWalker::reach_at(const WalkedStrip& of, const WalkExit& exit) const {
          {exit.over[side] ? exit.over[side]->use->edge : 0, exit.held[side], held_by(of)[side]}) {
       if (number == 0) continue;
       const TopoDS_Edge edge = body_.edge(number);
-      reach = std::max({reach, BRep_Tool::Tolerance(edge),
-                        BRep_Tool::Tolerance(TopExp::FirstVertex(edge)),
-                        BRep_Tool::Tolerance(TopExp::LastVertex(edge))});
+      reach = std::max(reach, BRep_Tool::Tolerance(edge));
+      const Vec3 place = vec(of.strip.contacts[contact_at(of, side)].curve->Value(exit.t));
+      for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)}) {
+        const double tolerance = BRep_Tool::Tolerance(end);
+        if (distance(place, point_of(end)) <= tolerance) reach = std::max(reach, tolerance);
+      }
     }
   return kSamePlace * reach;
 }
@@ -310,9 +313,12 @@ bool BallWalker::reaches(WalkedStrip& next, const WalkedStrip& of, double end, d
     t = nearest_on(line, next.strip.range, place);
     return distance(vec(line->Value(t).XYZ()), place);
   };
-  while (off() > reach)
-    if (!grow(next, t < at(next.strip.range, 0.5))) return false;
-  return true;
+  // Short of its end it is not known how near it would come further on.
+  const auto is_short = [&] { return t == next.strip.range.from || t == next.strip.range.to; };
+  double least = off();
+  while (least > (is_short() ? 0 : reach) && grow(next, t < at(next.strip.range, 0.5)))
+    least = off();
+  return least <= reach;
 }
 
 // The place after which the run goes over a vertex of an edge, ahead of a place.
