@@ -19,10 +19,14 @@
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
@@ -82,6 +86,32 @@ TEST(FilletOfFacesThatMeetSmoothlyInAVertex, HasMitresWhereTheBallComesToTheirEd
     if (made.solids.empty()) continue;
     EXPECT_EQ(made.solids.front().faces.size(), 6U) << "both arcs have a strip of their own";
     EXPECT_LT(made.solids.front().volume, made.volume_before);
+  }
+}
+
+// At the circle the strip has no width: both contacts begin in the vertex there, and the circle
+// stays as it was.
+TEST(FilletOfFacesThatMeetSmoothlyInAVertex, NarrowsToAPointThere) {
+  const TopoDS_Shape shape = lens_over_circle();
+  const std::vector<EdgeFacts> edges = edge_facts(shape);
+  std::vector<int> sides;
+  for (const EdgeFacts& each : edges)
+    if (std::abs(each.middle[2] - 5) < 1e-6) sides.push_back(each.number);
+  ASSERT_EQ(sides.size(), 2U);
+  for (const double radius : {0.1, 1.0, 3.0}) {
+    const FilletResult made = fillet(shape, sides, {.radius = radius});
+    expect_sound(made);
+    if (made.solids.empty()) continue;
+    EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+    const TopoDS_Solid& solid = made.solids.front().solid;
+    EXPECT_EQ(made.solids.front().faces.size(), 6U);
+    for (const EdgeFacts& each : edge_facts(solid)) {
+      const bool is_arc = std::abs(each.middle[2]) < 1e-6 && each.length > 1;
+      EXPECT_NEAR(is_arc ? each.length : 10 * std::numbers::pi, 10 * std::numbers::pi, 1e-4);
+    }
+    EXPECT_LT(made.solids.front().volume, made.volume_before);
+    for (TopExp_Explorer it(solid, TopAbs_VERTEX); it.More(); it.Next())
+      EXPECT_LT(BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())), 1e-4) << radius;
   }
 }
 

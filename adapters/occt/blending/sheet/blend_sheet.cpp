@@ -105,6 +105,21 @@ Handle(Geom2d_Curve)
   return followed_section(curve, range, strip, t);
 }
 
+// An edge without length, with a chart curve alone.
+// off   how far it nevertheless gets from the vertex
+TopoDS_Edge point_edge(const TopoDS_Vertex& vertex, const Handle(Geom2d_Curve) & chart,
+                       const Interval& range, const TopoDS_Face& face, double off) {
+  const BRep_Builder builder;
+  TopoDS_Edge edge;
+  builder.MakeEdge(edge);
+  builder.Add(edge, vertex.Oriented(TopAbs_FORWARD));
+  builder.Add(edge, vertex.Oriented(TopAbs_REVERSED));
+  builder.UpdateEdge(edge, chart, face, std::max(off, Precision::Confusion()));
+  builder.Range(edge, range.from, range.to);
+  builder.Degenerated(edge, Standard_True);
+  return edge;
+}
+
 }  // namespace
 
 BlendSheet::BlendSheet(const BodyEdges& body, double tolerance, bool is_chamfer,
@@ -178,9 +193,10 @@ void BlendSheet::refuse(const HalfEdge& half, FilletFault fault, const std::stri
   const bool is_pointed =
       fault == FilletFault::End && std::atan2(norm(cross(a, b)), dot(a, b)) < kSmoothEdge;
   const std::string more =
-      is_pointed ? "; the faces beside it meet smoothly there: the strip of any ball narrows to a "
-                   "point, which cannot be built yet"
-                 : "";
+      is_pointed
+          ? "; the faces beside it meet nearly smoothly there, and the strip, which narrows, "
+            "does not come to a point in the vertex"
+          : "";
   throw FilletRefused({fault, half.edge, cause + more, end, point_of(body_.vertex(half)), {}});
 }
 
@@ -244,6 +260,7 @@ void BlendSheet::end_at(const HalfEdge& half) {
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (is_filleted(ring[i].half.edge)) filleted.push_back(i);
   for (const std::size_t i : filleted) done_.push_back(ring[i].half);
+  if (filleted.size() == 1 && end_in_point(ring)) return;
   if (filleted.size() == 1) return blunt_unless({half}, [&] { cap(ring); });
   if (filleted.size() == 2) {
     // So that a face which both have in common is to the left of the first.
@@ -445,17 +462,34 @@ void BlendSheet::add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patc
 // What closes the wire of a strip in its chart where a contact is a point.
 TopoDS_Edge BlendSheet::apex_edge(const PlacedStrip& of, std::size_t side,
                                   const TopoDS_Face& face) const {
-  const BRep_Builder builder;
-  TopoDS_Edge edge;
-  builder.MakeEdge(edge);
-  const TopoDS_Vertex& vertex = of.ends[0].vertices[side];
-  builder.Add(edge, vertex.Oriented(TopAbs_FORWARD));
-  builder.Add(edge, vertex.Oriented(TopAbs_REVERSED));
-  builder.UpdateEdge(edge, of.strip.contact_line(of.strip.contacts[side].w), face,
-                     Precision::Confusion());
-  builder.Range(edge, of.ends[0].t[side], of.ends[1].t[side]);
-  builder.Degenerated(edge, Standard_True);
+  const TopoDS_Edge edge =
+      point_edge(of.ends[0].vertices[side], of.strip.contact_line(of.strip.contacts[side].w),
+                 {of.ends[0].t[side], of.ends[1].t[side]}, face, 0);
   return TopoDS::Edge(edge.Oriented(side == 0 ? TopAbs_REVERSED : TopAbs_FORWARD));
+}
+
+// A strip that narrows to a point in the vertex ends there, and nothing beside it changes. False,
+// and nothing is done, if it does not.
+bool BlendSheet::end_in_point(const Ring& ring) {
+  const HalfEdge half = ring.front().half;
+  const RolledStrip& strip = strip_of(half).strip;
+  const TopoDS_Vertex vertex = body_.vertex(half);
+  const auto point = narrow_end(body_, strip, half, tolerance_);
+  if (!point) return false;
+  StripEnd& end = end_of(half);
+  end.t = {point->t, point->t};
+  end.vertices = {vertex, vertex};
+  end.over[left_side(half)] = ring[1].half.edge;
+  end.over[right_side(half)] = ring.back().half.edge;
+  for (const std::size_t side : {0U, 1U})
+    cover(vertex, contact_point(strip, side, point->t), Precision::Confusion());
+  border_.vertices.push_back(vertex);
+  const bool forward = strip.contacts[0].w < strip.contacts[1].w;
+  const Interval across{strip.contacts[forward ? 0 : 1].w, strip.contacts[forward ? 1 : 0].w};
+  end.path = {
+      {point_edge(vertex, strip.section_line(point->t), across, strip.bare_face(), point->off),
+       forward}};
+  return true;
 }
 
 // The contact edges and the face of a strip whose ends are known.

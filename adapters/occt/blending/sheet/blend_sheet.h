@@ -117,6 +117,7 @@ class BlendSheet {
                const std::function<bool(const std::string& why)>& other);
   bool is_set_back(const Ring& ring);
   void blunt_unless(const std::vector<HalfEdge>& halves, const std::function<void()>& ended);
+  bool end_in_point(const Ring& ring);
   void cap(const Ring& ring);
   bool blunt(const Ring& ring, const std::string& why);
   double wall_t(const Ring& ring);

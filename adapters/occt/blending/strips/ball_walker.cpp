@@ -208,6 +208,23 @@ WalkExit BallWalker::over_edges(const WalkedStrip& of, std::size_t side,
   return std::abs(other->t - found.t) * speed <= reach_at(of, both) ? both : found;
 }
 
+// The end of a strip that narrows to a point in the last vertex of the run, if its contacts go over
+// no edge before.
+std::optional<WalkExit> BallWalker::end_in_point(
+    const WalkedStrip& of, int step, double from,
+    const std::array<std::optional<ContactCrossing>, 2>& first) const {
+  const HalfEdge half = end_half(step);
+  const int ahead = of.forward ? step : -step;
+  const auto point = narrow_end(body_, of.strip, half, options_.tolerance);
+  if (!point || ahead * (point->t - from) <= 0) return std::nullopt;
+  for (const std::size_t side : {0U, 1U}) {
+    if (!first[side] || ahead * (point->t - first[side]->t) <= 0) continue;
+    const Vec3 over = vec(of.strip.contacts[contact_at(of, side)].curve->Value(first[side]->t));
+    if (distance(over, point_of(body_.vertex(half))) > point->room) return std::nullopt;
+  }
+  return WalkExit{point->t, {}, true};
+}
+
 // Where the ball goes on over another face, or along the next edge of the same faces.
 WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double from,
                           const std::array<int, 2>& entered) {
@@ -225,6 +242,7 @@ WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double f
       first[k] = first_crossing(of, k, from, ahead, entered[k]);
       if (first[k] && (!side || is_nearer(first[k]->t, first[*side]->t))) side = k;
     }
+    if (const auto point = next ? std::nullopt : end_in_point(of, step, from, first)) return *point;
     const auto off = off_edge(of, from, ahead);
     if (off && (!side || is_nearer(off->t, first[*side]->t))) return *off;
     if ((goes_on_alike || ends_shared) &&
@@ -406,10 +424,11 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
   const std::array<int, 2> faces = faces_behind(of, exit);
   const Vec3 centre = vec(of.strip.spine->Value(exit.t).XYZ());
   if (faces[0] == faces[1])
-    refuse(FilletFault::End, place,
-           "the edge becomes smooth at its end: a strip that narrows to a point there "
-           "cannot be built yet",
-           centre);
+    refuse(
+        FilletFault::End, place,
+        "the edge becomes nearly smooth at its end, and the strip, which narrows, does not come to "
+        "a point in the vertex",
+        centre);
   const double reach = reach_at(of, exit);
   double t = 0;
   if (run_.closed && is_start(faces, exit.held)) {

@@ -88,6 +88,9 @@ class BallWalker {
   std::optional<WalkExit> off_edge(const WalkedStrip& of, double from, int ahead) const;
   bool start_over(const WalkedStrip& of, std::size_t side, const Vec2& from, int entered,
                   WalkExit& over) const;
+  std::optional<WalkExit> end_in_point(
+      const WalkedStrip& of, int step, double from,
+      const std::array<std::optional<ContactCrossing>, 2>& first) const;
   Part way(WalkedStrip& from, std::size_t place, int step);
   WalkExit exit(WalkedStrip& of, std::size_t place, int step, double from,
                 const std::array<int, 2>& entered);

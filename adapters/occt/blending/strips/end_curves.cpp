@@ -21,6 +21,7 @@
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/blending/limits.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/convert/pcurves.h"
@@ -36,6 +37,7 @@ namespace blossom::occt {
 namespace {
 
 constexpr int kFootSamples = 5;   // a side, of the strip's part whose feet bound what is searched
+constexpr double kTurnAt = 1e-3;  // of an edge: so far from its end the turn of its faces is taken
 constexpr double kRunEnd = 1e-9;  // of a run: meetings so near to its ends are those
 // Of a span, or of the way across a strip: how far surfaces go on past their borders.
 constexpr double kBeyondBorder = 0.125;
@@ -253,6 +255,37 @@ std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const Roll
   std::sort(all.begin(), all.end(),
             [](const ContactCrossing& a, const ContactCrossing& b) { return a.t < b.t; });
   return all;
+}
+
+// With x along the edge and y across it, the faces at its end turn against each other by a x, so
+// that offsets of theirs are a x y apart, to within e, the tolerance. Where that is 0 may be
+// sqrt(2 e / a) beside the vertex; there the faces turn by sqrt(2 e a).
+std::optional<NarrowEnd> narrow_end(const BodyEdges& body, const RolledStrip& strip,
+                                    const HalfEdge& half, double tolerance) {
+  double first = 0, last = 0;
+  BRep_Tool::Range(body.edge(half.edge), first, last);
+  const double end = half.at_start ? first : last;
+  const double beside = std::lerp(end, half.at_start ? last : first, kTurnAt);
+  const auto turn = [&](double x) {
+    const Vec3 a = body.corner(body.use(half.edge, true), x).normal;
+    const Vec3 b = body.corner(body.use(half.edge, false), x).normal;
+    return std::atan2(norm(cross(a, b)), dot(a, b));
+  };
+  if (turn(end) >= kSmoothEdge) return std::nullopt;
+  const TopoDS_Vertex vertex = body.vertex(half);
+  const Vec3 place = point_of(vertex);
+  const double rate =
+      turn(beside) / distance(body.corner(body.use(half.edge, true), beside).point, place);
+  NarrowEnd found;
+  found.t = nearest_on(strip.contacts[0].curve, strip.range, place);
+  found.room = std::max(BRep_Tool::Tolerance(vertex), std::sqrt(2 * tolerance / rate));
+  const auto contact = [&](std::size_t side) {
+    return vec(strip.contacts[side].curve->Value(found.t));
+  };
+  found.off = std::max(distance(contact(0), place), distance(contact(1), place));
+  const double most = kSamePlace * tolerance + strip.radius * std::sqrt(2 * tolerance * rate);
+  if (!(found.off <= found.room) || distance(contact(0), contact(1)) > most) return std::nullopt;
+  return found;
 }
 
 std::vector<EdgeThrough> edge_through(const RolledStrip& strip, const Interval& part,

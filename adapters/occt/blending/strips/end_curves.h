@@ -48,6 +48,20 @@ struct ContactCrossing {
 std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
                                                std::size_t side, const std::set<int>& left_out);
 
+/// Where a strip narrows to a point in a vertex.
+struct NarrowEnd {
+  double t = 0;     ///< of the strip
+  double off = 0;   ///< how far its contacts are from the vertex there
+  double room = 0;  ///< and how far they may be
+};
+
+/// The end of a strip in a vertex in which the faces on both sides of its edge meet smoothly, to
+/// within the tolerance; nothing if it is not narrow there.
+///
+/// tolerance   model units
+std::optional<NarrowEnd> narrow_end(const BodyEdges& body, const RolledStrip& strip,
+                                    const HalfEdge& half, double tolerance);
+
 /// Where an edge goes through a strip.
 struct EdgeThrough {
   double edge_parameter = 0;
