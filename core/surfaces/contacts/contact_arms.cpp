@@ -225,7 +225,7 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
     for (auto& side : contact.arms)
       for (ArcEnd& end : side) {
         end = joins                ? reach_contact(found, a, b, end, contact.centre)
-              : contact.high_order ? reach_straight(found, a, b, end, contact.centre, tolerance)
+              : contact.high_order ? reach_node(found, a, b, end, contact.centre, tolerance)
                                    : at_node(contact, end, a, b, found);
         contact.passed_by |= contact.high_order && !ends_in(found, a, b, end, contact.centre);
         const Vec3 p = point_of(found, a, end);  // what lies between is the contact's

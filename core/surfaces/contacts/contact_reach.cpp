@@ -20,6 +20,7 @@ constexpr double kPoleWidth = 16;
 constexpr double kPoleRow = 1e-3;
 constexpr double kWayReach = 0.5;  // of a patch: how far a foot may lie from where it is sought
 constexpr std::size_t kMostPatches = 16;     // between the border of a region and its middle
+constexpr int kMostHalvings = 3;             // of the way from there, see `reach_node`
 constexpr std::array kAlong{0.0, 0.5, 1.0};  // where its derivative is looked at
 
 // The point nearest to x, in space, on the lines along which the surfaces touch and cross.
@@ -276,6 +277,12 @@ std::optional<StraightStep> step_towards(const SurfaceCells& a, const SurfaceCel
   return step;
 }
 
+FoundArc arc_between(const ContactPoint& from, const Point4& to) {
+  FoundArc arc{from.patch_a, from.patch_b, kNoBox, {from.x, to}, {-1, -1}};
+  for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = to[k] - from.x[k];
+  return arc;
+}
+
 // True if the surfaces meet, but for rounding, on the straight way in their patches.
 bool meet_along(SurfaceCells& a, SurfaceCells& b, const FoundArc& way, double tolerance) {
   const auto &patch_a = a.tree(way.patch_a).patch(), &patch_b = b.tree(way.patch_b).patch();
@@ -289,22 +296,51 @@ bool meet_along(SurfaceCells& a, SurfaceCells& b, const FoundArc& way, double to
   return true;
 }
 
+// Adds the straight arcs that lead to the goal; false, and nothing is added, if the surfaces leave
+// each other on the way.
+bool lead_straight(std::vector<FoundArc>& ways, SurfaceCells& a, SurfaceCells& b,
+                   const ContactPoint& from, const ContactPoint& to, double tolerance) {
+  std::vector<FoundArc> straight;
+  for (std::optional<ContactPoint> at = from; at;) {
+    const auto step = step_towards(a, b, *at, to);
+    if (!step || straight.size() == kMostPatches) return false;
+    FoundArc way = arc_between(*at, step->x);
+    way.arc.straight = true;
+    if (!meet_along(a, b, way, tolerance)) return false;
+    if (apart(at->x, step->x) > kOnBorder) straight.push_back(way);
+    at = step->next;
+  }
+  ways.insert(ways.end(), straight.begin(), straight.end());
+  return true;
+}
+
+// The arc along which the surfaces cross half the way to the goal, if it is in the same patches.
+std::optional<FoundArc> half_way(SurfaceCells& a, SurfaceCells& b, const ContactPoint& from,
+                                 const ContactPoint& to) {
+  const Point4 goal = in_patches(a, b, to.patch_a, to.patch_b, to.x, from);
+  FoundArc way = arc_between(from, goal);
+  for (std::size_t k = 0; k < 4; ++k) way.arc.to[k] = 0.5 * (from.x[k] + goal[k]);
+  const auto middle = curve_point(a.tree(from.patch_a).patch(), b.tree(from.patch_b).patch(),
+                                  way.arc.to, way.arc.direction, 0.5 * apart(from.x, goal));
+  const auto inside = middle ? within_patch(*middle) : std::nullopt;
+  if (!inside) return std::nullopt;
+  way.arc.to = *inside;
+  return way;
+}
+
 }  // namespace
 
-ArcEnd reach_straight(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, ArcEnd end,
-                      const ContactPoint& to, double tolerance) {
+ArcEnd reach_node(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, ArcEnd end,
+                  const ContactPoint& to, double tolerance) {
   const FoundArc& arm = found.arcs[end / 2];
+  ContactPoint from{arm.patch_a, arm.patch_b, end_of(found, end)};
   std::vector<FoundArc> ways;
-  for (std::optional<ContactPoint> at = ContactPoint{arm.patch_a, arm.patch_b, end_of(found, end)};
-       at;) {
-    const auto step = step_towards(a, b, *at, to);
-    if (!step || ways.size() == kMostPatches) return end;
-    FoundArc way{at->patch_a, at->patch_b, kNoBox, {at->x, step->x}, {-1, -1}};
-    for (std::size_t k = 0; k < 4; ++k) way.arc.direction[k] = step->x[k] - at->x[k];
-    way.arc.straight = true;
-    if (!meet_along(a, b, way, tolerance)) return end;
-    if (apart(at->x, step->x) > kOnBorder) ways.push_back(way);
-    at = step->next;
+  for (int halvings = 0; !lead_straight(ways, a, b, from, to, tolerance); ++halvings) {
+    if (halvings == kMostHalvings || arm.arc.tangential) return end;
+    const auto way = half_way(a, b, from, to);
+    if (!way) return end;
+    ways.push_back(*way);
+    from.x = way->arc.to;
   }
   for (const FoundArc& way : ways) {
     found.joins.push_back({end, 2 * found.arcs.size()});

@@ -45,13 +45,17 @@ ContactArm arm_of(const PairSearchResult& found, const SurfaceCells& a, const Su
 ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
                      ArcEnd end, const ContactPoint& to);
 
-/// The same from the border of a region in which the surfaces stay in contact: by straight arcs in
-/// the parameters of a, through all patches between. Where the surfaces leave each other by more
-/// than rounding on the way, the arm ends on the border, and its end is returned as it is.
+/// The same from the border of the disc of a node of order n, in which the surfaces stay in
+/// contact: by straight arcs in the parameters of a, through all patches between. A branch that
+/// bends is followed half the way to the node, and again, until the rest is straight but for
+/// rounding: what a chord is off by falls with the square of its length, and the gap there with its
+/// power n + 1. So three halvings turn the kDiscGap tolerances of the disc into less than rounding.
+/// Where that is not so the arm passes by the node: it ends on the border, and its end is returned
+/// as it is.
 ///
 /// tolerance   model units
-ArcEnd reach_straight(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, ArcEnd end,
-                      const ContactPoint& to, double tolerance);
+ArcEnd reach_node(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, ArcEnd end,
+                  const ContactPoint& to, double tolerance);
 
 /// A point that a surface has under all values of one of its parameters.
 struct Pole {

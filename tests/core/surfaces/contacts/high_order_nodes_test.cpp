@@ -13,6 +13,7 @@
 #include "core/forms/algebra/degree.h"
 #include "core/forms/algebra/products.h"
 #include "core/surface_intersection.h"
+#include "core/surfaces/retry/finer_tolerance.h"
 #include "tests/support/components.h"
 #include "tests/support/cubic_draws.h"
 #include "tests/support/draws.h"
@@ -146,6 +147,19 @@ BezierFunction2 bilinear(double k, double x, double y) {
   return f;
 }
 
+// The graph of a function over the unit square, of a higher degree than it needs.
+BezierSurface graph_of(const BezierFunction2& function) {
+  const int degree = std::max(function.points.rows(), function.points.columns());
+  const BezierFunction2 z = elevated(function, degree, degree);
+  const BezierFunction2 u = elevated(bilinear(0, 1, 0), degree, degree),
+                        v = elevated(bilinear(0, 0, 1), degree, degree);
+  Grid<Vec4> net(degree + 1, degree + 1);
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; j <= degree; ++j)
+      net(i, j) = {u.points(i, j), v.points(i, j), z.points(i, j), 1};
+  return testing::of_patch(RationalBezierPatch{net});
+}
+
 // Lines through a point of the unit square, with what of them lies in the square.
 struct Star {
   double x, y, scale;
@@ -166,20 +180,12 @@ struct Star {
     return sum;
   }
 
-  // The graph of the product of all lines, of a higher degree than it needs.
+  // The graph of the product of all lines.
   BezierSurface graph() const {
     BezierFunction2 z = bilinear(scale, 0, 0);
     for (const double t : angles)
       z = product(bilinear(std::cos(t) * y - std::sin(t) * x, std::sin(t), -std::cos(t)), z);
-    const int degree = z.points.rows();
-    z = elevated(z, degree, degree);
-    const BezierFunction2 u = elevated(bilinear(0, 1, 0), degree, degree),
-                          v = elevated(bilinear(0, 0, 1), degree, degree);
-    Grid<Vec4> net(degree + 1, degree + 1);
-    for (int i = 0; i <= degree; ++i)
-      for (int j = 0; j <= degree; ++j)
-        net(i, j) = {u.points(i, j), v.points(i, j), z.points(i, j), 1};
-    return testing::of_patch(RationalBezierPatch{net});
+    return graph_of(z);
   }
 };
 
@@ -243,6 +249,35 @@ TEST(HighOrderNodes, LinesOfContactMeetBranches) {
       EXPECT_EQ(components(found), kind.components);
       EXPECT_NEAR(length_of(found), star.length(), 1e-6);
     }
+}
+
+// z = x^2 (y + bend x^2): a line of contact and a branch that bends away from its tangent, by more
+// than rounding over the disc. It leads to the node all the same, and no finer tolerance is asked.
+TEST(HighOrderNodes, BentBranchesReachTheNode) {
+  Random random = testing::seeded(29);
+  for (int trial = 0; trial < 10; ++trial) {
+    SCOPED_TRACE(trial);
+    const Star star = saddle(random, 3);
+    const double c = std::cos(star.angles[0]), s = std::sin(star.angles[0]);
+    const BezierFunction2 x = bilinear(-c * star.x - s * star.y, c, s);
+    const BezierFunction2 y = bilinear(s * star.x - c * star.y, -s, c);
+    const double bend = testing::uniform(random, 1.5, 3) * (trial % 2 == 0 ? 1 : -1);
+    const BezierFunction2 square = product(x, x), across = elevated(y, 2, 2);
+    BezierFunction2 branch = square;
+    for (std::size_t i = 0; i < branch.points.values().size(); ++i)
+      branch.points.values()[i] = bend * square.points.values()[i] + across.points.values()[i];
+    const double scale = testing::log_uniform(random, 0.003, 0.03);
+    const SurfaceIntersection found =
+        found_of(graph_of(product(product(bilinear(scale, 0, 0), square), branch)), floor_below());
+    EXPECT_EQ(components(found), (Components{.open = 4, .tangential = 2, .nodes = 1}));
+    EXPECT_FALSE(ends_beside_node(found));
+    ASSERT_EQ(found.nodes.size(), 1u);
+    for (const IntersectionCurve& curve : found.curves)
+      EXPECT_LE(std::min(distance(curve.samples.front().point, found.nodes[0].point),
+                         distance(curve.samples.back().point, found.nodes[0].point)),
+                kTolerance);
+    expect_well_written(found);
+  }
 }
 
 // The floor tilted by so little that all stays within tolerance where three branches would meet:
