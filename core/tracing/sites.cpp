@@ -395,10 +395,12 @@ class Sampler {
     if (!(length(piece.place) > 0)) return std::numeric_limits<double>::infinity();
     const double sine = std::min(start.point.sine, stop.point.sine);
     const double from = conic_ != nullptr ? parameter_at(*conic_, start.point.point) : 0;
+    const double apart = tracer_.gap_at(0.5 * (start.station + stop.station));
     double error = 0;
     for (const auto& [t, factor] : probes) {
-      const Gaps gaps =
+      Gaps gaps =
           gaps_at(a_, b_, value_at(piece.points, t), conic_, from + t * length(piece.place));
+      gaps.between = std::max(gaps.between - apart, 0.0);
       error = std::max(error, factor * relative_gap(gaps, wanted_, sine));
     }
     return error;

@@ -19,6 +19,8 @@ constexpr double kFarthestBeside = 0.1;  // likewise
 constexpr double kBesidePole = 0.02;     // likewise; the rounding of derivatives grows by its cube
 constexpr double kStraight = 0.9;        // cosine: a tangent farther from its chord is none
 constexpr double kRoundedSine = 1e-6;    // below it derivatives are rounding
+constexpr double kTurned = 1e-6;         // radians: so little branches turn at a node's reach
+constexpr double kLeastReach = 1e-3;     // of a link
 constexpr double kBesideValley = 1e-3;   // likewise: half the step of a difference
 constexpr double kNoValley = 1e-3;       // of what tells its direction beside a point: none
 constexpr double kReach = 0.5;           // fraction of a patch
@@ -100,7 +102,7 @@ class SurfaceParameters {
 }  // namespace
 
 ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                         const Vec3& origin, const Chain& chain)
+                         const Vec3& origin, const Chain& chain, double rounding)
     : found_(found), a_(a), b_(b), origin_(origin), chain_(chain) {
   struct LinkPoints {
     Vec3 from, middle, to;
@@ -120,6 +122,43 @@ ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, Surface
     known_points_.push_back(origin + middle);
     stations_.push_back(stations_.back() + std::max(sum, kNotZero));
   }
+  if (chain.closed || !(rounding > 0)) return;
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) find_node(side, rounding);
+}
+
+void ChainTracer::find_node(std::size_t side, double rounding) {
+  const std::size_t index = side == 0 ? 0 : chain_.links.size() - 1;
+  const ChainLink& link = chain_.links[index];
+  const FoundArc& arc = found_.arcs[static_cast<std::size_t>(link.arc)];
+  if (arc.arc.iso >= 0 || arc.arc.straight || arc.arc.tangential || arc.to_pole) return;
+  const Vec3 apart = apart_in(arc, (side == 0) == link.forward ? arc.arc.from : arc.arc.to);
+  const double gap = norm(apart);
+  if (!(gap <= rounding && on_link(index, side == 0 ? 0 : 1).sine <= kRoundedSine)) return;
+  const double station = side == 0 ? 0 : stations_.back(), most = 0.5 * stations_.back();
+  double reach = kLeastReach * (stations_[index + 1] - stations_[index]);
+  while (reach < most && at(std::abs(station - reach), side == 0).sine * reach * kTurned < gap)
+    reach *= 2;
+  nodes_[side] = {station, apart, std::min(reach, most)};
+}
+
+Vec3 ChainTracer::apart_in(const FoundArc& arc, const Point4& x) const {
+  return point_at(a_.tree(arc.patch_a).patch(), x[0], x[1]) -
+         point_at(b_.tree(arc.patch_b).patch(), x[2], x[3]);
+}
+
+// By (1 - f^4)^2 of that in the node: the sine grows with f, and what tangents turn by is the slope
+// of this over it.
+ChainTracer::Apart ChainTracer::apart_at(double station) const {
+  Apart sum{};
+  for (const Node& node : nodes_) {
+    const double f = (station - node.station) / node.reach;
+    if (!(std::abs(f) < 1)) continue;
+    const double square = f * f, part = 1 - square * square;
+    sum.value += node.apart * (part * part);
+    sum.first += node.apart * (-8 * f * square * part / node.reach);
+    sum.second += node.apart * ((56 * square * square - 24) * square / (node.reach * node.reach));
+  }
+  return sum;
 }
 
 std::size_t ChainTracer::link_at(double station, bool after) const {
@@ -190,6 +229,7 @@ std::optional<CrossingPoint> ChainTracer::beside(double station, const SurfacePo
   const FoundArc& arc = found_.arcs[static_cast<std::size_t>(index)];
   if (arc.arc.iso >= 0 || arc.arc.straight || arc.arc.tangential) return std::nullopt;
   const SurfaceParameters on_a(a_, arc.patch_a), on_b(b_, arc.patch_b);
+  const Vec3 apart = apart_at(station).value;
   Vec3 x = start.point - origin_;
   Vec2 at_a = on_a.local(start.uv_a), at_b = on_b.local(start.uv_b);
   for (int step = 0; step < kStepsBeside; ++step) {
@@ -198,9 +238,9 @@ std::optional<CrossingPoint> ChainTracer::beside(double station, const SurfacePo
     const Vec3 n1 = unit(cross(p.u, p.v)), n2 = unit(cross(q.u, q.v));
     const double cosine = dot(n1, n2), sine = norm(cross(n1, n2)), square = sine * sine;
     if (!(sine > kAtAnAngle)) return std::nullopt;
-    const double h1 = dot(n1, p.point - x), h2 = dot(n2, q.point - x);
+    const double h1 = dot(n1, p.point - x), h2 = dot(n2, q.point + apart - x);
     x += n1 * ((h1 - cosine * h2) / square) + n2 * ((h2 - cosine * h1) / square);
-    const Vec3 move_a = x - p.point, move_b = x - q.point;
+    const Vec3 move_a = x - p.point, move_b = x - apart - q.point;
     at_a += rates(p.u, p.v, move_a);
     at_b += rates(q.u, q.v, move_b);
     if (std::max(dot(move_a, move_a), dot(move_b, move_b)) <= settled * settled * sine)
@@ -212,13 +252,17 @@ std::optional<CrossingPoint> ChainTracer::beside(double station, const SurfacePo
 TracePoint ChainTracer::on_link(std::size_t index, double fraction) const {
   const ChainLink& link = chain_.links[index];
   const FoundArc& arc = found_.arcs[static_cast<std::size_t>(link.arc)];
-  return differentiate(arc, parameters_on(arc, link.forward ? fraction : 1 - fraction),
-                       link.forward);
+  const double station = stations_[index] + fraction * (stations_[index + 1] - stations_[index]);
+  const Apart apart = apart_at(station);
+  return differentiate(arc, parameters_on(arc, link.forward ? fraction : 1 - fraction, apart.value),
+                       link.forward, apart);
 }
 
-Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
-  if (fraction <= 0) return arc.arc.from;
-  if (fraction >= 1) return arc.arc.to;
+Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction, const Vec3& apart) const {
+  if (fraction <= 0 || fraction >= 1) {
+    const Point4& end = fraction <= 0 ? arc.arc.from : arc.arc.to;
+    if (apart == Vec3{} || apart == apart_in(arc, end)) return end;
+  }
   Point4 x;
   for (std::size_t i = 0; i < 4; ++i)
     x[i] = (1 - fraction) * arc.arc.from[i] + fraction * arc.arc.to[i];
@@ -232,7 +276,7 @@ Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
     return solution ? *solution : x;
   }
   const auto solve = [&](const Point4& start) {
-    return curve_point(patch_a, patch_b, start, arc.arc.direction, reach_of(arc));
+    return curve_point(patch_a, patch_b, start, arc.arc.direction, reach_of(arc), apart);
   };
   if (const auto solution = solve(x)) return *solution;
   // The chord leads too far off: follow the arc from its beginning in small steps.
@@ -343,7 +387,8 @@ TracePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
   return result;
 }
 
-TracePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool forward) const {
+TracePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool forward,
+                                      const Apart& apart) const {
   if (arc.arc.iso >= 0 || arc.arc.straight) return differentiate_straight(arc, x, forward);
   if (arc.arc.tangential) return differentiate_valley(arc, x, forward);
   const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
@@ -359,9 +404,14 @@ TracePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool
   const double growth = d[0] * ra[0] + d[1] * ra[1] + d[2] * rb[0] + d[3] * rb[1];
   const double sign = (growth > 0) == forward ? 1 : -1;
   tangent = tangent * sign;
-  const Vec2 rate_a = ra * sign, rate_b = rb * sign;
+  // It leads along a, and b is left at the rate at which the surfaces are apart.
+  if (result.sine > 0 && apart.first != Vec3{}) {
+    const Vec3 across = unit(cross(n1, tangent));
+    tangent = unit(tangent + across * (dot(apart.first, n2) / dot(across, n2)));
+  }
+  const Vec2 rate_a = rates(p.u, p.v, tangent), rate_b = rates(q.u, q.v, tangent - apart.first);
 
-  const Vec3 qa = second_form(p, rate_a), qb = second_form(q, rate_b);
+  const Vec3 qa = second_form(p, rate_a), qb = second_form(q, rate_b) + apart.second;
   const Vec3 k = curvature(tangent, n1, n2, qa, qb);
   result.point = p.point + origin_;
   result.first = tangent;

@@ -83,9 +83,9 @@ Row plane_row(const Point4& plane, const Point4& start, const Point4& x) {
   return row;
 }
 
-// Row k of A - B = 0.
-Row coincidence_row(const PatchJet& p, const PatchJet& q, int k) {
-  return {p.u[k], p.v[k], -q.u[k], -q.v[k], q.point[k] - p.point[k]};
+// Row k of A - B = apart.
+Row coincidence_row(const PatchJet& p, const PatchJet& q, int k, const Vec3& apart = {}) {
+  return {p.u[k], p.v[k], -q.u[k], -q.v[k], q.point[k] - p.point[k] + apart[k]};
 }
 
 // (A - B) . B_s = 0 and (A - B) . B_t = 0.
@@ -141,9 +141,10 @@ double bend_between(const RationalBezierPatch& a, const RationalBezierPatch& b, 
 }
 
 std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
-                                  const Point4& start, const Point4& plane, double reach) {
+                                  const Point4& start, const Point4& plane, double reach,
+                                  const Vec3& apart) {
   // Where the plane fixes one parameter there are three equations for the others.
-  if (std::ranges::count(plane, 0.0) == 3) {
+  if (std::ranges::count(plane, 0.0) == 3 && apart == Vec3{}) {
     const auto fixed = std::ranges::find_if(plane, [](double x) { return x != 0; });
     Box4 box;
     for (std::size_t i = 0; i < 4; ++i) box[i] = {start[i] - 0.5 * reach, start[i] + 0.5 * reach};
@@ -151,13 +152,13 @@ std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBe
   }
   const auto equations = [&](const Point4& x) {
     const PatchJet p = jet_at(a, x[0], x[1], 1), q = jet_at(b, x[2], x[3], 1);
-    return System{coincidence_row(p, q, 0), coincidence_row(p, q, 1), coincidence_row(p, q, 2),
-                  plane_row(plane, start, x)};
+    return System{coincidence_row(p, q, 0, apart), coincidence_row(p, q, 1, apart),
+                  coincidence_row(p, q, 2, apart), plane_row(plane, start, x)};
   };
   // Near a node the steps shrink slowly, but the surfaces meet all the same.
   const auto meet = [&](const Point4& x) {
     const Vec3 p = point_at(a, x[0], x[1]), q = point_at(b, x[2], x[3]);
-    return distance(p, q) <= kMeet * (1 + max_norm(p));
+    return distance(p, q + apart) <= kMeet * (1 + max_norm(p));
   };
   return newton(start, reach, equations, meet);
 }

@@ -20,11 +20,12 @@ inline constexpr double kRoundingGap = 1.0 / 64;
 double bend_between(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
                     const Vec2& across);
 
-/// The point of A(u, v) = B(s, t) in a plane of the parameters.
+/// The point of A(u, v) = B(s, t) + apart in a plane of the parameters.
 ///
 /// returns   nothing if the steps do not settle or lead farther than `reach` (in each parameter)
 std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
-                                  const Point4& start, const Point4& plane, double reach);
+                                  const Point4& start, const Point4& plane, double reach,
+                                  const Vec3& apart = {});
 
 /// The point of A = B where the tangent direction `across` of A, in (u, v), is tangent to B
 /// too: where the curve turns back with respect to the other direction.
