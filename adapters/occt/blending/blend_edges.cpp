@@ -19,6 +19,7 @@
 #include <gp_Vec2d.hxx>
 
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/surfaces.h"
 
 namespace blossom::occt {
@@ -114,6 +115,7 @@ TopoDS_Edge edge_on(const Handle(Geom_Curve) & curve, const Interval& range,
   builder.Add(edge, to.Oriented(TopAbs_REVERSED));
   cover_end(from, vec(curve->Value(range.from).XYZ()));
   cover_end(to, vec(curve->Value(range.to).XYZ()));
+  leave_periods(edge);
   return edge;
 }
 
@@ -123,6 +125,7 @@ void add_chart(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & chart,
   const Handle(Geom_Surface) raw = BRep_Tool::Surface(face, location);
   BRep_Builder().UpdateEdge(edge, chart, raw, location, Precision::Confusion());
   widen(edge, kMargin * deviation(edge, chart, BRep_Tool::Surface(face)));
+  leave_periods(edge);
 }
 
 void add_seam_charts(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & forward,

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 
+#include <BRep_CurveRepresentation.hxx>
+#include <BRep_GCurve.hxx>
+#include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAdaptor_Curve.hxx>
-#include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Ellipse.hxx>
 #include <Geom_Hyperbola.hxx>
@@ -109,17 +111,58 @@ Handle(Geom2d_Curve) basis_of(Handle(Geom2d_Curve) curve) {
   return curve;
 }
 
+namespace {
+
+template <class Spline, class Curve>
+opencascade::handle<Spline> part_of(const Curve& curve, const Interval& range) {
+  const auto spline = opencascade::handle<Spline>::DownCast(basis_of(curve));
+  if (spline.IsNull() || !spline->IsPeriodic()) return {};
+  if (spline->FirstParameter() <= range.from && range.to <= spline->LastParameter()) return {};
+  const auto part = opencascade::handle<Spline>::DownCast(spline->Copy());
+  part->Segment(range.from, std::min(range.to, range.from + spline->Period()));
+  TColStd_Array1OfReal knots(1, part->NbKnots());
+  part->Knots(knots);
+  const double moved = range.from - part->FirstParameter();  // the cut is in the first period
+  for (double& knot : knots) knot += moved;
+  part->SetKnots(knots);
+  return part;
+}
+
+}  // namespace
+
+Handle(Geom_BSplineCurve)
+    part_beyond_period(const Handle(Geom_Curve) & curve, const Interval& range) {
+  return part_of<Geom_BSplineCurve>(curve, range);
+}
+
+Handle(Geom2d_BSplineCurve)
+    part_beyond_period(const Handle(Geom2d_Curve) & curve, const Interval& range) {
+  return part_of<Geom2d_BSplineCurve>(curve, range);
+}
+
+void leave_periods(const TopoDS_Edge& edge) {
+  for (const Handle(BRep_CurveRepresentation) & each :
+       Handle(BRep_TEdge)::DownCast(edge.TShape())->Curves()) {
+    const auto curve = Handle(BRep_GCurve)::DownCast(each);
+    if (curve.IsNull()) continue;
+    const Interval range{curve->First(), curve->Last()};
+    if (curve->IsCurve3D()) {
+      if (curve->Curve3D().IsNull()) continue;
+      if (const auto part = part_beyond_period(curve->Curve3D(), range)) curve->Curve3D(part);
+      continue;
+    }
+    if (const auto part = part_beyond_period(curve->PCurve(), range)) curve->PCurve(part);
+    if (!curve->IsCurveOnClosedSurface()) continue;
+    if (const auto part = part_beyond_period(curve->PCurve2(), range)) curve->PCurve2(part);
+  }
+}
+
 double edge_length(const TopoDS_Edge& edge) {
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
   if (curve.IsNull()) return Precision::Infinite();
-  // Open CASCADE's of a periodic spline that is used outside of its first period may be 0.
-  if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(basis_of(curve));
-      !spline.IsNull() && spline->IsPeriodic()) {
-    const auto part = Handle(Geom_BSplineCurve)::DownCast(spline->Copy());
-    part->Segment(range.from, std::min(range.to, range.from + spline->Period()));
+  if (const auto part = part_beyond_period(curve, range))
     return GCPnts_AbscissaPoint::Length(GeomAdaptor_Curve(part));
-  }
   return GCPnts_AbscissaPoint::Length(GeomAdaptor_Curve(curve, range.from, range.to));
 }
 

@@ -64,6 +64,19 @@ Handle(Geom_Curve) to_occt(const Conic& conic);
 Handle(Geom_Curve) basis_of(Handle(Geom_Curve) curve);
 Handle(Geom2d_Curve) basis_of(Handle(Geom2d_Curve) curve);
 
+/// Of a periodic B-spline that is used beyond its first period the part over a range, as a B-spline
+/// without a period that has the same parameter; null for every other curve. Open CASCADE's
+/// adaptors find the knots of the first period alone, so that lengths and integrals go wrong in
+/// others.
+Handle(Geom_BSplineCurve)
+    part_beyond_period(const Handle(Geom_Curve) & curve, const Interval& range);
+Handle(Geom2d_BSplineCurve)
+    part_beyond_period(const Handle(Geom2d_Curve) & curve, const Interval& range);
+
+/// Puts such parts in the place of an edge's curves, in space and in the parameters of faces.
+/// edge   of a result: shapes that have it in common see the change
+void leave_periods(const TopoDS_Edge& edge);
+
 /// The length of an edge's curve in space, model units; infinite if there is none.
 double edge_length(const TopoDS_Edge& edge);
 

@@ -113,9 +113,7 @@ bool is_periodic_spline(const Handle(Geom2d_Curve) & curve) {
 
 std::array<Interval, 2> bounds_of(const Handle(Geom2d_Curve) & curve, const Interval& range) {
   Bnd_Box2d box;
-  if (is_periodic_spline(curve)) {  // of which Open CASCADE measures the first period alone
-    const auto part = Handle(Geom2d_BSplineCurve)::DownCast(basis_of(curve)->Copy());
-    part->Segment(range.from, std::min(range.to, range.from + part->Period()));
+  if (const auto part = part_beyond_period(curve, range)) {
     BndLib_Add2dCurve::Add(part, 0, box);
   } else {
     BndLib_Add2dCurve::Add(curve, range.from, range.to, 0, box);

@@ -14,6 +14,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/face_splitter.h"
@@ -162,6 +163,7 @@ TopoDS_Edge FaceSplitter::laid_edge(const EdgePiece& piece, const LaidCurve& of,
   builder.UpdateEdge(edge, Handle(Geom2d_Curve)::DownCast(of.image->Translated(move)), raw,
                      location, of.tolerance);
   builder.Range(edge, piece.range.from, piece.range.to);
+  leave_periods(edge);
   builder.Add(edge, TopExp::FirstVertex(piece.edge).Oriented(TopAbs_FORWARD));
   builder.Add(edge, TopExp::LastVertex(piece.edge).Oriented(TopAbs_REVERSED));
   return edge;

@@ -11,16 +11,27 @@
 #include <utility>
 #include <vector>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <GProp_GProps.hxx>
+#include <GeomAPI.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_Plane.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
@@ -33,6 +44,7 @@
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
 
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/faces/area.h"
 #include "core/base/errors.h"
 
@@ -360,6 +372,57 @@ TEST(Trim, TolerancesThatGrowWithACutAreThoseOfTheResultAlone) {
     EXPECT_TRUE(BRepCheck_Analyzer(made).IsValid());
     EXPECT_EQ(uses_of_edges(made).count(1), 0u);
     EXPECT_GT(loosest(made), before);
+  }
+}
+
+// A disc whose border is one period of a circle as a spline, from anywhere on.
+TopoDS_Face spline_disc(const Handle(Geom_BSplineCurve) & circle, double from) {
+  const BRep_Builder builder;
+  const Handle(Geom2d_Curve) image = GeomAPI::To2d(circle, gp_Pln());
+  TopoDS_Face disc;
+  builder.MakeFace(disc, new Geom_Plane(gp_Pln()), Precision::Confusion());
+  TopoDS_Wire border;
+  builder.MakeWire(border);
+  const double middle = from + 0.6 * circle->Period(), to = from + circle->Period();
+  const TopoDS_Vertex start = BRepBuilderAPI_MakeVertex(circle->Value(from));
+  const TopoDS_Vertex half = BRepBuilderAPI_MakeVertex(circle->Value(middle));
+  for (const auto& [range, ends] : {std::pair{std::pair(from, middle), std::pair(start, half)},
+                                    std::pair{std::pair(middle, to), std::pair(half, start)}}) {
+    TopoDS_Edge edge;
+    builder.MakeEdge(edge, circle, Precision::Confusion());
+    builder.UpdateEdge(edge, image, disc, Precision::Confusion());
+    builder.Range(edge, range.first, range.second);
+    builder.Add(edge, ends.first.Oriented(TopAbs_FORWARD));
+    builder.Add(edge, ends.second.Oriented(TopAbs_REVERSED));
+    builder.Add(border, edge);
+  }
+  border.Closed(true);
+  builder.Add(disc, border);
+  return disc;
+}
+
+// Open CASCADE, and so FreeCAD, measures 0 where an edge lies outside of its curve's first period,
+// and a wrong area of a face there.
+TEST(Trim, EdgesOnPeriodicSplinesAreMeasuredRightByOpenCascade) {
+  const auto circle = GeomConvert::CurveToBSplineCurve(new Geom_Circle(gp::XOY(), 2));
+  for (const double from : {-9.1, -3.0, 0.0, 2.0, 6.5}) {
+    const TopoDS_Face disc = spline_disc(circle, from);
+    const TrimResult result = trim(part_of(disc), {plane_tool({0.5, 0, 0}, {1, 0.1, 0})});
+    ASSERT_EQ(result.pieces.size(), 2u) << from;
+    TopTools_IndexedMapOfShape given;
+    TopExp::MapShapes(disc, TopAbs_EDGE, given);
+    for (const TopoDS_Face& piece : result.replacements.at(1)) {
+      GProp_GProps of_face;
+      BRepGProp::SurfaceProperties(piece, of_face, 1e-9);
+      EXPECT_NEAR(of_face.Mass(), area(piece), 1e-6) << from;
+      for (TopExp_Explorer it(piece, TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+        if (given.Contains(edge)) continue;  // not cut: stays as it is
+        EXPECT_NEAR(GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge)), edge_length(edge), 1e-6)
+            << from;
+      }
+      EXPECT_TRUE(BRepCheck_Analyzer(piece).IsValid()) << from;
+    }
   }
 }
 

@@ -20,6 +20,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves.h"
 #include "core/plane/limits.h"
 
 namespace blossom::occt {
@@ -64,6 +65,7 @@ TopoDS_Edge piece_of(const TopoDS_Edge& edge, const Interval& range, const TopoD
   piece.Orientation(TopAbs_FORWARD);
   drop_polygons(piece);
   builder.Range(piece, range.from, range.to);
+  leave_periods(piece);
   builder.Add(piece, from.Oriented(TopAbs_FORWARD));
   builder.Add(piece, to.Oriented(TopAbs_REVERSED));
   widen(piece);
