@@ -166,7 +166,7 @@ def wrong_inputs_are_errors_of_the_object(document):
     group = document.addObject("App::DocumentObjectGroup", "Group")
     curves.A = [(group, "")]
     document.recompute()
-    claim("a group has no shape", says(curves, "its shape of Group is gone, or it has no shape"))
+    claim("a group has no shape", says(curves, "A: Group has no shape"))
     curves.A, curves.Tolerance = [block], 0
     document.recompute()
     claim("a tolerance of 0 is none", says(curves, "tolerance: 0.0 is not positive"))

@@ -164,6 +164,12 @@ def section_follows_a_plane(document):
     cut.Plane = [(holder, "")]
     document.recompute()
     claim("an object's own plane serves, too", near(cut.Shape.BoundBox.ZMin, 2))
+    copy = document.addObject("App::Link", "Copy")
+    copy.LinkedObject, copy.Placement.Base = holder, V(0, 0, 4)
+    for member, height in (("Knife.", 7), ("Knife.Face1", 7), ("", 4)):
+        cut.Plane = [(copy, member)]
+        document.recompute()
+        claim(f"and where a link shows it: {member}", near(cut.Shape.BoundBox.ZMin, height))
     ball = shaped(document, "Ball", Part.makeSphere(3))
     cut.Plane = [(ball, "Face1")]
     document.recompute()

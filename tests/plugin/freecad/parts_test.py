@@ -122,6 +122,10 @@ def loose_faces_are_sewn(document):
     block.Shape = Part.makeCompound([face.copy() for face in faces[:5]])
     document.recompute()
     claim("what closes nothing is cut as a sheet", valid(cut) and not cut.Shape.Solids and near(cut.Area, 500))
+    rounded, found = make.fillet(document, block), make.clash(document, [(block, ""), (post, "")])
+    document.recompute()
+    for made in (rounded, found):
+        claim(f"{made.Name} says what makes a solid of them", says(made, "Part > Convert to solid"))
 
 
 def clash_follows_containers_and_refuses_faces(document):
@@ -144,7 +148,7 @@ def clash_follows_containers_and_refuses_faces(document):
     sheet = document.addObject("Part::Plane", "Sheet")
     found.A = [(block, ""), (sheet, "")]
     document.recompute()
-    claim("a face is no solid", says(found, "A: closed solids are wanted, Sheet is none"))
+    claim("a face is no solid", says(found, "A: closed solids are wanted, Sheet has none"))
     found.A = [(block, "")]
     document.recompute()
     claim("one alone has no pair", says(found, "has one part alone"))

@@ -36,7 +36,8 @@ class EdgeBlend(Feature):
     def inputs(self, obj):
         whole, _ = links.whole_with_edges(obj.Edges, "Edges")
         if not whole.Solids:
-            raise ValueError("Edges: those of a solid are wanted, the object has no solid")
+            wrong = links.without_solid(whole, links.shown(links.members(obj.Edges)[0][0], ""))
+            raise ValueError(f"Edges: those of a solid are wanted, {wrong}")
         return {"Edges": whole}
 
     def options(self, obj):

@@ -167,9 +167,11 @@ def _solids(link, name):
     found = []
     for target, sub in links.members(link):
         label = links.shown(target, sub)
-        solids = links.shape_of(target, sub, name).Solids
+        shape = links.shape_of(target, sub, name)
+        solids = shape.Solids
         if not solids or not all(solid.isClosed() for solid in solids):
-            raise ValueError(f"{name}: closed solids are wanted, {label} is none")
+            wrong = links.without_solid(shape, label)
+            raise ValueError(f"{name}: closed solids are wanted, {wrong}")
         for number, solid in enumerate(solids, start=1):
             if not any(solid.isSame(other) for _, other in found):
                 found.append((label if len(solids) == 1 else f"{label}, solid {number}", solid))

@@ -56,12 +56,25 @@ def shown_by(target, sub):
     return here
 
 
+def place_of(target, sub):
+    """Where a member is shown: below all containers, and by the links on the way to it; None if it
+    has no place."""
+    if not hasattr(leaf_of(target, sub), "Placement"):
+        return None
+    place = target.getSubObject(path_of(sub), retType=3)  # with the target's own placement
+    if hasattr(target, "getGlobalPlacement"):  # links have none
+        container = target.getGlobalPlacement().multiply(target.Placement.inverse())
+        place = container.multiply(place)
+    return place
+
+
 def shape_of(target, sub, name):
     """The placed shape of a member. throws ValueError, with the property's name"""
     shape = Part.getShape(target, sub, needSubElement=True)
     if shape.isNull():
-        what = sub or "its shape"
-        raise ValueError(f"{name}: {what} of {target.Label} is gone, or it has no shape")
+        if not sub:
+            raise ValueError(f"{name}: {target.Label} has no shape")
+        raise ValueError(f"{name}: {sub} of {target.Label} is gone, or it has no shape")
     return shape
 
 
@@ -116,12 +129,20 @@ def face_with_edge(link, name):
     raise ValueError(f"{name}: {shown(*edges[0])} is no edge of the face")
 
 
+def without_solid(shape, label):
+    """That an object has no closed solid; how one comes of faces, as surface models have them."""
+    told = f"{label} has none"
+    if len(shape.Faces) < 2:
+        return told
+    return f"{told}, but faces: if they close, Part > Convert to solid makes one of them"
+
+
 def whole_with_edges(link, name):
     """The whole placed shape of one object, and the numbers of the edges that the link names; of
     faces their edges; none if it names only the object. throws ValueError"""
     listed = members(link)
     if not listed:
-        raise ValueError(f"{name}: edges, or an object are wanted, and there are none")
+        raise ValueError(f"{name}: edges or an object are wanted, and none is chosen")
     wholes = {(target, path_of(sub)) for target, sub in listed}
     if len(wholes) != 1:
         raise ValueError(f"{name}: edges of one object are wanted, these are of {len(wholes)}")

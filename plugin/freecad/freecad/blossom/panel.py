@@ -163,6 +163,8 @@ class Panel:
             self._leave()
             return
         try:
+            if not self._typed:  # else what is linked now is what is meant
+                self.feature.check_links(self.obj)
             self._question = self.feature.question(self.obj)
             self._job = self._question.job()
         except MENDABLE as error:

@@ -11,6 +11,7 @@ from . import check, clash, links, selection, trim
 
 _ROW = 18  # pixels of a line in lists
 _TABLE = 150  # pixels, at most
+_PICK = "Click pieces to keep"
 _WIDEST = 0.4  # of a table's width, its first column
 _POWERS = {"length": 1, "area": 2, "volume": 3}  # of facts
 
@@ -162,7 +163,7 @@ class PieceBox(QtGui.QWidget):
     def __init__(self, panel):
         super().__init__()
         self._panel = panel
-        self._picking = QtGui.QPushButton("Click pieces to keep")
+        self._picking = QtGui.QPushButton(_PICK)
         self._picking.setObjectName("BlossomPick")
         self._picking.setCheckable(True)
         self._picking.setToolTip("Shows all pieces; each click in the 3D view keeps one")
@@ -174,6 +175,7 @@ class PieceBox(QtGui.QWidget):
 
     def _pick(self, on):
         keep = self._panel.fields["Keep"].widget
+        self._picking.setText("Click pieces, then here" if on else _PICK)
         if on:
             self._points = []
             keep.setCurrentText("all")

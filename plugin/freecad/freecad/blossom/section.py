@@ -121,9 +121,8 @@ def _plane_of_link(link):
         if surface is None:
             raise ValueError(f"Plane: {links.shown(target, sub)} is not flat")
         return surface.Position, FreeCAD.Vector(surface.Axis).normalize()
-    leaf = links.leaf_of(target, sub)
-    if leaf is None or not hasattr(leaf, "getGlobalPlacement"):
+    placement = links.place_of(target, sub)
+    if placement is None:
         raise ValueError(f"Plane: {links.shown(target, sub)} has no place")
-    placement = leaf.getGlobalPlacement()
     return placement.Base, placement.Rotation.multVec(FreeCAD.Vector(0, 0, 1))
 
