@@ -244,11 +244,12 @@ Soundness soundness(const TopoDS_Shape& shape, const std::vector<int>& faces,
   return looked_at(shape, faces, known_or_direct(run));
 }
 
-std::vector<std::optional<Problem>> face_faults(const std::vector<TopoDS_Face>& faces) {
+std::vector<std::optional<Problem>> face_faults(const std::vector<TopoDS_Face>& faces, bool valid) {
   std::vector<int> numbers(faces.size());
   std::iota(numbers.begin(), numbers.end(), 1);
-  const std::vector<std::vector<std::string>> own =
-      face_problems(faces, numbers, known_or_direct({}));
+  std::vector<std::vector<std::string>> own(faces.size());
+  if (!valid) own = face_problems(faces, numbers, known_or_direct({}));
+  for (std::size_t i = 0; valid && i < faces.size(); ++i) own[i] = conversion_problems(faces[i]);
   std::vector<std::optional<Problem>> found;
   for (std::size_t i = 0; i < faces.size(); ++i) found.push_back(first_problem(faces[i], own[i]));
   return found;

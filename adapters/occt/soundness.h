@@ -41,6 +41,9 @@ inline constexpr const char* kUnchecked = "Open CASCADE's check of it crashes or
 /// What a face's geometry and Open CASCADE's BRepCheck say against it, in words; none if valid.
 std::vector<std::string> face_problems(const TopoDS_Face& face);
 
+/// Of these the one that BRepCheck does not see: that its surface cannot be converted.
+std::vector<std::string> conversion_problems(const TopoDS_Face& face);
+
 /// The same in one line; empty if the face is valid.
 std::string face_fault(const TopoDS_Face& face);
 
@@ -99,6 +102,8 @@ Soundness soundness(const TopoDS_Shape& shape, const std::vector<int>& faces,
                     const CheckRunner& run = {});
 
 /// The first problem of each face and its wires, if there is one; gaps of edges are not measured.
-std::vector<std::optional<Problem>> face_faults(const std::vector<TopoDS_Face>& faces);
+/// valid   whether it is known that BRepCheck finds nothing in them, which takes most of the time
+std::vector<std::optional<Problem>> face_faults(const std::vector<TopoDS_Face>& faces,
+                                                bool valid = false);
 
 }  // namespace blossom::occt

@@ -20,6 +20,8 @@ class ConeVolumes {
   /// throws   BadModel as that
   double of(const TopoDS_Face& face);
 
+  bool knows(const TopoDS_Face& face) const { return forward_.IsBound(face); }
+
   const Vec3& apex() const { return apex_; }
 
  private:

@@ -24,14 +24,11 @@ namespace {
 constexpr std::size_t kFewFaces = 16;
 
 // What is known of a face before Open CASCADE's checker sees it: that it cannot be converted, or
-// that it is sound.
-std::optional<std::vector<std::string>> known_of(const TopoDS_Face& face) try {
-  // The checker does not look for numbers that are none, and can loop on them.
-  guarded("converting the face", [&] { bezier_surface(face); });
-  if (is_sound_polygon(face)) return std::vector<std::string>{};
-  return std::nullopt;
-} catch (const std::runtime_error& error) {
-  return std::vector<std::string>{error.what()};
+// that it is sound. The checker does not look for numbers that are none, and can loop on them.
+std::optional<std::vector<std::string>> known_of(const TopoDS_Face& face) {
+  std::vector<std::string> problems = conversion_problems(face);
+  if (problems.empty() && !is_sound_polygon(face)) return std::nullopt;
+  return problems;
 }
 
 std::vector<std::string> found_by_check(const TopoDS_Face& face) {
@@ -70,6 +67,13 @@ std::vector<std::vector<std::string>> found_in_threads(const std::vector<TopoDS_
 }
 
 }  // namespace
+
+std::vector<std::string> conversion_problems(const TopoDS_Face& face) try {
+  guarded("converting the face", [&] { bezier_surface(face); });
+  return {};
+} catch (const std::runtime_error& error) {
+  return {error.what()};
+}
 
 std::vector<std::string> face_problems(const TopoDS_Face& face) {
   if (const auto known = known_of(face)) return *known;

@@ -9,8 +9,13 @@
 #include <utility>
 
 #include <BRep_Tool.hxx>
+#include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomProjLib.hxx>
+#include <ProjLib_Cone.hxx>
+#include <ProjLib_Cylinder.hxx>
+#include <ProjLib_Sphere.hxx>
+#include <ProjLib_Torus.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
@@ -47,10 +52,39 @@ double deviation(const Handle(Geom_Curve) & curve, const Handle(Geom2d_Curve) & 
   return largest;
 }
 
+template <class Projector, class Surface>
+bool has_image(const GeomAdaptor_Curve& curve, const Surface& surface) {
+  Projector projector(surface);
+  switch (curve.GetType()) {
+    case GeomAbs_Line: projector.Project(curve.Line()); break;
+    case GeomAbs_Circle: projector.Project(curve.Circle()); break;
+    case GeomAbs_Ellipse: projector.Project(curve.Ellipse()); break;
+    default: return true;
+  }
+  return projector.IsDone();
+}
+
+// Whether Open CASCADE may know the image of a curve. Of lines and conics on elementary surfaces
+// that are none of their parameter lines it makes an approximation, which is never exact and takes
+// as long as the fit that follows.
+bool may_have_image(const Handle(Geom_Curve) & curve, const Interval& range,
+                    const Handle(Geom_Surface) & surface) {
+  const GeomAdaptor_Curve of(curve, range.from, range.to);
+  const GeomAdaptor_Surface on(surface);
+  switch (on.GetType()) {
+    case GeomAbs_Cylinder: return has_image<ProjLib_Cylinder>(of, on.Cylinder());
+    case GeomAbs_Cone: return has_image<ProjLib_Cone>(of, on.Cone());
+    case GeomAbs_Sphere: return has_image<ProjLib_Sphere>(of, on.Sphere());
+    case GeomAbs_Torus: return has_image<ProjLib_Torus>(of, on.Torus());
+    default: return true;
+  }
+}
+
 // What Open CASCADE makes of it; null if that is not exact.
 Handle(Geom2d_Curve) projected(const Handle(Geom_Curve) & curve, const Interval& range,
                                const SurfaceProjector& feet, double tolerance) {
   try {
+    if (!may_have_image(curve, range, feet.surface())) return {};
     double found = tolerance;
     const Handle(Geom2d_Curve) chart =
         GeomProjLib::Curve2d(curve, range.from, range.to, feet.surface(), found);

@@ -44,8 +44,9 @@ std::string name_of(const FilletFace& face) {
 
 // The first fault of a face that is new or was cut, if the face that it is left of had none; as a
 // refusal of the edge beside it.
+// valid   whether BRepCheck found nothing in them
 std::optional<FilletRefusal> new_fault(const BodyEdges& body, const FilletedSolid& made,
-                                       const TopTools_MapOfShape& known, int first) {
+                                       const TopTools_MapOfShape& known, bool valid, int first) {
   std::vector<TopoDS_Face> changed;
   std::vector<const FilletFace*> of;
   for (const FilletFace& face : made.faces) {
@@ -53,7 +54,7 @@ std::optional<FilletRefusal> new_fault(const BodyEdges& body, const FilletedSoli
     changed.push_back(face.face);
     of.push_back(&face);
   }
-  const std::vector<std::optional<Problem>> faults = face_faults(changed);
+  const std::vector<std::optional<Problem>> faults = face_faults(changed, valid);
   for (std::size_t i = 0; i < faults.size(); ++i) {
     if (!faults[i]) continue;
     if (of[i]->from > 0 && face_faults({body.face(of[i]->from)}).front()) continue;
@@ -101,7 +102,7 @@ void check_blended(const BodyEdges& body, const TopoDS_Solid& before, const Fill
   const TopTools_MapOfShape known = kept_faces(body, made);
   const bool valid = is_valid(made.solid, apart_from_changes(made, known)) ||
                      (is_valid(made.solid, known) && !BRepCheck_Analyzer(before).IsValid());
-  if (const auto fault = new_fault(body, made, known, first)) throw FilletRefused(*fault);
+  if (const auto fault = new_fault(body, made, known, valid, first)) throw FilletRefused(*fault);
   if (!valid)
     throw FilletRefused({FilletFault::Result,
                          first,

@@ -55,7 +55,7 @@ void Filleting::find_parts(const TopoDS_Shape& shape) {
   for (int i = 1; i <= faces.Extent(); ++i) faces_given_.push_back(TopoDS::Face(faces(i)));
   if (body_.edge_count() > 0) {
     const gp_Pnt p = BRep_Tool::Pnt(body_.vertex({1, true}));
-    apex_ = {p.X(), p.Y(), p.Z()};
+    cones_ = ConeVolumes({p.X(), p.Y(), p.Z()});
   }
   for (int i = 1; i <= solids.Extent(); ++i) {
     SolidPart part;
@@ -67,17 +67,15 @@ void Filleting::find_parts(const TopoDS_Shape& shape) {
   }
 }
 
-// The volume over a face that was given; kept where it is as exact as can be.
-double Filleting::cone_over(int face, double enough) {
-  if (enough > 0 && cones_.count(face) == 0) return cone_volume(face_given(face), apex_, enough);
-  const auto [known, is_new] = cones_.try_emplace(face, 0);
-  if (is_new) known->second = cone_volume(face_given(face), apex_);
-  return known->second;
+// The volume over a face; kept where it is as exact as can be.
+double Filleting::cone_over(const TopoDS_Face& face, double enough) {
+  const bool is_exact = enough <= 0 || cones_.knows(face);
+  return is_exact ? cones_.of(face) : cone_volume(face, cones_.apex(), enough);
 }
 
 double Filleting::volume_of(const SolidPart& part) {
   double volume = 0;
-  for (const int face : part.faces) volume += cone_over(face);
+  for (const int face : part.faces) volume += cone_over(face_given(face));
   return volume;
 }
 
@@ -131,8 +129,8 @@ double Filleting::change(const SolidPart& part, const std::vector<TrimmedFace>& 
     if (is_kept(each))
       lost.erase(each.from);
     else if (each.from == 0 || part.faces.count(each.from) > 0)
-      change += cone_volume(each.face, apex_, enough);
-  for (const int face : lost) change -= cone_over(face, enough);
+      change += cone_over(each.face, enough);
+  for (const int face : lost) change -= cone_over(face_given(face), enough);
   return change;
 }
 
@@ -172,7 +170,7 @@ FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<Trimmed
   for (const TrimmedFace& each : faces) {
     if (each.from > 0 && part.faces.count(each.from) == 0) continue;
     double volume = 1;
-    if (measured) volume = is_kept(each) ? cone_over(each.from) : cone_volume(each.face, apex_);
+    if (measured) volume = cone_over(is_kept(each) ? face_given(each.from) : each.face);
     bounding.push_back({each.face, volume});
     if (options_.volumes) made.volume += volume;
     made.faces.push_back({each.face, each.from, each.edge});

@@ -22,6 +22,7 @@
 #include "adapters/occt/blending/sheet/sheet_trim.h"
 #include "adapters/occt/blending/strips/ball_walk.h"
 #include "adapters/occt/fillet.h"
+#include "adapters/occt/queries/cone_volumes.h"
 #include "core/base/work_limit.h"
 #include "core/math/vec.h"
 
@@ -89,7 +90,7 @@ class Filleting {
   void renew_body();
   bool is_inside_out(const SolidPart& part);
   SolidPart& part_of(int edge);
-  double cone_over(int face, double enough = 0);
+  double cone_over(const TopoDS_Face& face, double enough = 0);
   double volume_of(const SolidPart& part);
   bool is_kept(const TrimmedFace& face) const;
   double change(const SolidPart& part, const std::vector<TrimmedFace>& faces, double enough);
@@ -127,11 +128,10 @@ class Filleting {
   std::shared_ptr<const WorkLimit> limit_;
   std::vector<SolidPart> parts_;
   std::vector<TopoDS_Face> faces_given_;  // by number
-  std::map<int, double> cones_;           // volumes over given faces, as far as they are known
   std::vector<std::string> notes_;
   std::set<int> gone_on_;
   std::set<int> ended_before_;  // edges in which those that are rounded do not go on
-  Vec3 apex_;
+  ConeVolumes cones_{Vec3{}};   // over given faces and those of results
   struct Rolled {
     double size = 0;
     FilletEdges edges;
