@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cassert>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,12 +19,18 @@ template <class Scalar, class T>
 Grid<T> product(const Grid<Scalar>& a, const Grid<T>& b) {
   assert(a.columns() == b.rows());
   Grid<T> result(a.rows(), b.columns());
-  for (int i = 0; i < a.rows(); ++i)
-    for (int j = 0; j < b.columns(); ++j) {
-      T sum = a(i, 0) * b(0, j);
-      for (int k = 1; k < a.columns(); ++k) sum += a(i, k) * b(k, j);
-      result(i, j) = sum;
+  for (int i = 0; i < a.rows(); ++i) {
+    const std::span<T> sums = row_of(result, i);
+    for (int k = 0; k < a.columns(); ++k) {
+      const Scalar& factor = a(i, k);
+      const std::span<const T> row = row_of(b, k);
+      for (std::size_t j = 0; j < row.size(); ++j)
+        if (k == 0)
+          sums[j] = factor * row[j];
+        else
+          sums[j] += factor * row[j];
     }
+  }
   return result;
 }
 
@@ -32,12 +39,16 @@ template <class Scalar, class T>
 Grid<T> product_transposed(const Grid<T>& b, const Grid<Scalar>& a) {
   assert(a.columns() == b.columns());
   Grid<T> result(b.rows(), a.rows());
-  for (int i = 0; i < b.rows(); ++i)
+  for (int i = 0; i < b.rows(); ++i) {
+    const std::span<T> sums = row_of(result, i);
+    const std::span<const T> row = row_of(b, i);
     for (int j = 0; j < a.rows(); ++j) {
-      T sum = a(j, 0) * b(i, 0);
-      for (int k = 1; k < a.columns(); ++k) sum += a(j, k) * b(i, k);
-      result(i, j) = sum;
+      const std::span<const Scalar> factors = row_of(a, j);
+      T sum = factors[0] * row[0];
+      for (std::size_t k = 1; k < row.size(); ++k) sum += factors[k] * row[k];
+      sums[static_cast<std::size_t>(j)] = sum;
     }
+  }
   return result;
 }
 

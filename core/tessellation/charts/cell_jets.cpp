@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -43,29 +44,31 @@ struct NetRange {
   NumberRange weight;
 };
 
-// `factor` times the differences of the net, `orders` times in u and v.
-NetRange derivative_range(const Grid<Vec4>& net, int order_u, int order_v) {
+// Of the differences of a net, some times along each direction, times what makes them derivatives.
+template <int order_u, int order_v>
+NetRange derivative_range(const Grid<Vec4>& net) {
   const int rows = net.rows() - order_u, columns = net.columns() - order_v;
   if (rows < 1 || columns < 1) return {};
   double factor = 1;
   for (int k = 0; k < order_u; ++k) factor *= net.rows() - 1 - k;
   for (int k = 0; k < order_v; ++k) factor *= net.columns() - 1 - k;
-  Vec4 low, high;
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      Vec4 d = net(i, j);
-      if (order_u == 1 && order_v == 0) d = net(i + 1, j) - net(i, j);
-      if (order_u == 0 && order_v == 1) d = net(i, j + 1) - net(i, j);
-      if (order_u == 1 && order_v == 1)
-        d = (net(i + 1, j + 1) - net(i, j + 1)) - (net(i + 1, j) - net(i, j));
-      if (order_u == 2) d = (net(i + 2, j) - net(i + 1, j)) - (net(i + 1, j) - net(i, j));
-      if (order_v == 2) d = (net(i, j + 2) - net(i, j + 1)) - (net(i, j + 1) - net(i, j));
-      if (i == 0 && j == 0) low = high = d;
+  const auto width = static_cast<std::size_t>(net.columns());
+  // To the next point in the direction of a derivative.
+  const std::size_t step = order_u > 0 ? width : 1;
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  Vec4 low{kNone, kNone, kNone, kNone}, high = -1.0 * low;
+  for (int i = 0; i < rows; ++i) {
+    const Vec4* at = net.values().data() + static_cast<std::size_t>(i) * width;
+    for (int j = 0; j < columns; ++j, ++at)
       for (int k = 0; k < 4; ++k) {
-        low[k] = std::min(low[k], d[k]);
-        high[k] = std::max(high[k], d[k]);
+        double d = (*at)[k];
+        if constexpr (order_u + order_v >= 1) d = at[step][k] - d;
+        if constexpr (order_u == 1 && order_v == 1) d = (at[step + 1][k] - at[1][k]) - d;
+        if constexpr (order_u == 2 || order_v == 2) d = (at[2 * step][k] - at[step][k]) - d;
+        low[k] = std::min(low[k], d);
+        high[k] = std::max(high[k], d);
       }
-    }
+  }
   low *= factor, high *= factor;
   NetRange range;
   for (int k = 0; k < 3; ++k) {
@@ -139,16 +142,16 @@ Vec3 largest_jump(const RationalBezierPatch& before, const CellSide& at_before,
 
 }  // namespace
 
-CellJet cell_jet(const RationalBezierPatch& patch, const CellSide& u, const CellSide& v) {
-  Grid<Vec4> net = patch.points;
+CellJet cell_jet(RationalBezierPatch patch, const CellSide& u, const CellSide& v) {
+  Grid<Vec4>& net = patch.points;  // moved to the origin in place
   const Vec4 middle = net(net.rows() / 2, net.columns() / 2);
   const Vec3 origin = projected(middle);
   for (Vec4& p : net.values())
     for (int k = 0; k < 3; ++k) p[k] -= p[3] * origin[k];
-  const NetRange at = derivative_range(net, 0, 0);
-  const NetRange s = derivative_range(net, 1, 0), t = derivative_range(net, 0, 1);
-  const NetRange ss = derivative_range(net, 2, 0), st = derivative_range(net, 1, 1);
-  const NetRange tt = derivative_range(net, 0, 2);
+  const NetRange at = derivative_range<0, 0>(net);
+  const NetRange s = derivative_range<1, 0>(net), t = derivative_range<0, 1>(net);
+  const NetRange ss = derivative_range<2, 0>(net), st = derivative_range<1, 1>(net);
+  const NetRange tt = derivative_range<0, 2>(net);
   const double low = at.weight.centre - at.weight.radius,
                high = at.weight.centre + at.weight.radius;
   const NumberRange over_w = range_of(1 / high, 1 / low), two{2, 0};

@@ -27,7 +27,7 @@ struct CellJet {
 ///   w S_u = X_u - w_u S,   w S_uu = X_uu - 2 w_u S_u - w_uu S,   w S_uv likewise
 ///
 /// about a point of the cell as the origin, each term in the range of its control points.
-CellJet cell_jet(const RationalBezierPatch& net, const CellSide& u, const CellSide& v);
+CellJet cell_jet(RationalBezierPatch net, const CellSide& u, const CellSide& v);
 
 /// By coordinate, the largest |jump| of S_u over the common border of two patches, the first of
 /// which ends where the second begins; by the surface's own parameters. With D the difference of

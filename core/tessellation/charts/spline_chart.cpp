@@ -187,13 +187,14 @@ void SplineChart::enclose() {
       const Interval v{surface_.v_knots[index(j)], surface_.v_knots[index(j + 1)]};
       const std::vector<double> v_cuts = even_cuts(v_parts_[index(j)]);
       const RationalBezierPatch& patch = surface_.patches(i, j);
-      const Grid<RationalBezierPatch> cells = subdivide(patch, u_cuts, v_cuts);
+      Grid<RationalBezierPatch> cells = subdivide(patch, u_cuts, v_cuts);
       for (int k = 0; k < cells.rows(); ++k)
         for (int l = 0; l < cells.columns(); ++l) {
           const Interval part_u{u_cuts[index(k)], u_cuts[index(k + 1)]};
           const Interval part_v{v_cuts[index(l)], v_cuts[index(l + 1)]};
           const CellSide side_u{u, surface_.u_law, part_u}, side_v{v, surface_.v_law, part_v};
-          jets_(first_row + k, first_column + l) = cell_jet(cells(k, l), side_u, side_v).jet;
+          jets_(first_row + k, first_column + l) =
+              cell_jet(std::move(cells(k, l)), side_u, side_v).jet;
           const double s = at(part_u, 0.5), t = at(part_v, 0.5);
           curvatures_(first_row + k, first_column + l) =
               curvature_of(jet_at(patch, s, t, 2), 1 / parameter_derivative(surface_.u_law, u, s),
