@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The user's hands and eyes in FreeCAD's window, for tour.py, and what is shown there.
+"""The user's hands and eyes in FreeCAD's window, for the stations of tour.py, and what they show.
 
 The window prints nothing, so claims go to BLOSSOM_CLAIMS; pictures go to the folder BLOSSOM_SHOTS.
 """
@@ -15,6 +15,7 @@ from PySide2 import QtCore, QtGui, QtWidgets
 V = FreeCAD.Vector
 claims = open(os.environ["BLOSSOM_CLAIMS"], "w", buffering=1)
 PICTURE_WIDTH = 760  # pixels
+SETTLED = 600  # milliseconds until the window is painted
 
 
 def claim(what, holds):
@@ -41,9 +42,40 @@ def press(word):
     button = getattr(QtWidgets.QDialogButtonBox, word)
     for box in window().findChildren(QtWidgets.QDialogButtonBox):
         if box.isVisible() and box.button(button):
-            box.button(button).click()
+            # By its name: PySide may take the button for a widget of another kind that was there.
+            QtCore.QMetaObject.invokeMethod(box.button(button), "click")
             return
     raise AssertionError(f"there is no button {word}")
+
+
+def click(document, point, also=False):
+    """With the mouse, on what the view shows at a point; `also` keeps what is selected."""
+    area = window().findChild(QtWidgets.QMdiArea).activeSubWindow()
+    view = area.findChild(QtWidgets.QGraphicsView).viewport()
+    x, y = FreeCADGui.getDocument(document.Name).activeView().getPointOnScreen(point)
+    ratio = view.devicePixelRatioF()
+    at = QtCore.QPointF(int(x / ratio), int(view.height() - 1 - y / ratio))
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    keys = QtCore.Qt.ControlModifier if also else QtCore.Qt.NoModifier
+    for kind, button, held in (
+        (QtCore.QEvent.MouseMove, none, none),
+        (QtCore.QEvent.MouseButtonPress, left, left),
+        (QtCore.QEvent.MouseButtonRelease, left, none),
+    ):
+        event = QtGui.QMouseEvent(kind, at, view.mapToGlobal(at.toPoint()), button, held, keys)
+        QtWidgets.QApplication.sendEvent(view, event)
+        QtWidgets.QApplication.processEvents()
+
+
+def write(name, text):
+    """Into a field of the panel, by the keyboard."""
+    line = widget(QtWidgets.QWidget, name).findChild(QtWidgets.QLineEdit)
+    line.setFocus()
+    line.selectAll()
+    for key, letter in [*((0, each) for each in text), (QtCore.Qt.Key_Tab, "")]:
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            event = QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, letter)
+            QtWidgets.QApplication.sendEvent(line, event)
 
 
 def widget(kind, name):
@@ -62,6 +94,16 @@ def said():
 def found():
     """Whether a preview is there: its facts end with the time."""
     return "Time" in said()
+
+
+def busy():
+    """Whether a preview is at work."""
+    return widget(QtWidgets.QPushButton, "BlossomStop") is not None
+
+
+def gone():
+    """Whether the panel is closed."""
+    return not FreeCADGui.Control.activeDialog()
 
 
 def look(document, part=1.0):
