@@ -21,6 +21,7 @@
 #include "plugin/cli/output/reading.h"
 #include "plugin/cli/output/tree_list.h"
 #include "plugin/cli/output/verbosity.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/many_files.h"
 #include "plugin/reports/models/info.h"
@@ -105,6 +106,26 @@ std::string info_text(const Input& input, const ModelFacts& facts) {
   return text.str();
 }
 
+// All faces, each with its line of the list.
+Picture info_picture(const Input& input, const ModelFacts& facts) {
+  Picture picture;
+  picture.title = short_name(input.name);
+  picture.subtitle = facts.valid ? "valid" : "not valid";
+  PictureFaces good{{}, kFirstColour, kFirstOpacity, "faces"};
+  PictureFaces bad{{}, kFaultyColour, kFirstOpacity, "faces that are not valid"};
+  const FaceLabels labels(input);
+  for (std::size_t i = 0; i < facts.faces.size(); ++i) {
+    const FaceFacts& face = facts.faces[i];
+    std::string label = labels.of(face.number) + "\n" + face.surface;
+    for (const std::string& problem : face.problems) label += "\n" + problem;
+    PictureFaces& group = face.problems.empty() ? good : bad;
+    group.faces.push_back(input.faces[i]);
+    group.labels.push_back(std::move(label));
+  }
+  picture.groups = {std::move(good), std::move(bad)};
+  return picture;
+}
+
 struct InfoCommand {
   std::vector<std::string> inputs;
   bool edges = false, tree = false;
@@ -151,6 +172,10 @@ int run(const InfoCommand& options) {
       occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()));
   const ModelFacts facts = reports::model_facts(input, problems, interrupted);
   stop_if_interrupted();
+  const std::vector<PictureFile> pictures =
+      picture_files(options.common, [&] { return info_picture(input, facts); });
+  stop_if_interrupted();
+  write_pictures(pictures);
   const std::string& json = options.common.json;
   Json report = reports::info_report(input, facts);
   std::string text = info_text(input, facts);
@@ -183,7 +208,7 @@ void add_info(CLI::App& app, int& exit_code) {
   command->add_flag("--edges", options->edges,
                     "list all edges of the model, too: faces, kind, angle, length, middle");
   add_table(*command, options->common, "each model");
-  add_report_options(*command, options->common);
+  add_common_options(*command, options->common, "");
   command->callback([options, command, &exit_code] {
     exit_code = are_many(options->inputs, options->common) ? run_on_many(*command, *options)
                                                            : run(*options);

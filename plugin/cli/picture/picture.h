@@ -21,6 +21,7 @@ inline constexpr Vec3 kCurveColour = {0.78, 0.08, 0.16};
 inline constexpr Vec3 kTouchColour = {0.00, 0.50, 0.25};
 inline constexpr Vec3 kOverlapColour = {0.42, 0.13, 0.62};
 inline constexpr Vec3 kUnresolvedColour = {0.88, 0.00, 0.55};
+inline constexpr Vec3 kFaultyColour = {0.88, 0.42, 0.42};
 inline constexpr Vec3 kToolColour = {0.62, 0.62, 0.60};
 inline constexpr Vec3 kNetColour = {0.30, 0.34, 0.40};
 /// How opaque the first and the second input are.

@@ -50,6 +50,22 @@ TEST(InfoCommand, TellsSurfaceDegreeSpansAndValidityOfEachFace) {
   EXPECT_EQ(pipe["valid"], true);
 }
 
+TEST(InfoCommand, ShowsTheModelAsAPictureAPageAndAModelOfTriangles) {
+  const testing::TestFolder folder;
+  testing::write({testing::bowl(), testing::half_pipe()}, folder / "parts.brep");
+  const Finished run =
+      blossom({"info", folder / "parts.brep", "--picture", folder / "a.png", "--html",
+               folder / "a.html", "--glb", folder / "a.glb", "--view", "top"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(testing::text_of(folder / "a.png").substr(1, 3), "PNG");
+  EXPECT_NE(testing::text_of(folder / "a.html").find("face 2\\nbezier"), std::string::npos);
+  EXPECT_EQ(testing::text_of(folder / "a.glb").substr(0, 4), "glTF");
+  // One picture is of one model.
+  const Finished two = blossom(
+      {"info", folder / "parts.brep", folder / "parts.brep", "--picture", folder / "b.png"});
+  EXPECT_EQ(two.code, 2) << two.out;
+}
+
 TEST(InfoCommand, ShowsTheSizeOfABoxFarFromTheOriginAndNoRoundings) {
   const testing::TestFolder folder;
   occt::Model model;

@@ -13,7 +13,6 @@
 namespace blossom::cli {
 namespace {
 
-constexpr Vec3 kFaultyFace = {0.88, 0.42, 0.42};
 constexpr Vec3 kOpenEdge = {0.93, 0.50, 0.05};
 constexpr Vec3 kCrowdedEdge = {0.42, 0.13, 0.62};
 
@@ -61,7 +60,7 @@ Picture soundness_picture(const Input& input, const occt::Soundness& found) {
   picture.subtitle = std::string(reports::verdict_of(found)) +
                      (problems == 0 ? "" : ": " + counted(problems, "problem"));
   PictureFaces good{{}, kFirstColour, kFirstOpacity, "faces"};
-  PictureFaces bad{{}, kFaultyFace, kFirstOpacity, "faces with problems"};
+  PictureFaces bad{{}, kFaultyColour, kFirstOpacity, "faces with problems"};
   const FaceLabels labels(input);
   Layers layers;
   for (const occt::FaceSoundness& face : found.faces) {
