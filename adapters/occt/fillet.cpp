@@ -242,10 +242,6 @@ FilletAttempt as_many_as_work(Filleting& work, std::vector<FilletEdges>& chains,
   return best;
 }
 
-}  // namespace
-
-namespace {
-
 // What can be made of the chains, or why not.
 void make_fillets(Filleting& work, std::vector<FilletEdges>& chains, const FilletOptions& options,
                   FilletResult& result) {

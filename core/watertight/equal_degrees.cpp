@@ -9,8 +9,6 @@
 #include "core/math/index.h"
 
 namespace blossom {
-namespace {}  // namespace
-
 void raise_degrees(WatertightPieces& pieces) {
   std::vector<int> degree;
   for (const WatertightSide& side : pieces.sides) degree.push_back(side.curve.degree());

@@ -176,10 +176,6 @@ void cast_rays(benchmark::State& state, const std::string& file) {
   state.counters["worst_error"] = worst;
 }
 
-}  // namespace
-
-namespace {
-
 struct Compared {
   double prepared = 0, ours = 0, theirs = 0;  // seconds
   double width = 0;                           // of our bounds, relative

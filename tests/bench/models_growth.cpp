@@ -241,10 +241,6 @@ std::vector<ThreadJob> large_fields() {
   return jobs;
 }
 
-}  // namespace
-
-namespace {
-
 // A line each, and the exponents against all there is and against what is met and comes out.
 void print_family(const std::vector<Growth>& rows, std::ofstream& table) {
   std::vector<double> all, matter, seconds;

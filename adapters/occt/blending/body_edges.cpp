@@ -65,7 +65,7 @@ TopoDS_Edge BodyEdges::edge(int number) const {
   return TopoDS::Edge(edges_(number).Oriented(TopAbs_FORWARD));
 }
 
-TopoDS_Vertex BodyEdges::vertex(const HalfEdge& half) const {
+TopoDS_Vertex BodyEdges::vertex(const DirectedEdge& half) const {
   const TopoDS_Edge of = edge(half.edge);
   return half.at_start ? TopExp::FirstVertex(of) : TopExp::LastVertex(of);
 }
@@ -111,9 +111,9 @@ const EdgeUseInFace& BodyEdges::use(int edge, bool forward) const {
   return *found;
 }
 
-std::vector<VertexSector> BodyEdges::round(const HalfEdge& half) const {
+std::vector<VertexSector> BodyEdges::round(const DirectedEdge& half) const {
   std::vector<VertexSector> sectors;
-  HalfEdge at = half;
+  DirectedEdge at = half;
   do {
     const EdgeUseInFace& leaving = use(at.edge, at.at_start);
     const std::vector<EdgeUseInFace>& all = uses(leaving.face);
@@ -147,7 +147,7 @@ BodyEdges::Corner BodyEdges::corner(const EdgeUseInFace& use, double parameter) 
   return found;
 }
 
-Vec3 direction_at(const BodyEdges& body, const HalfEdge& half) {
+Vec3 direction_at(const BodyEdges& body, const DirectedEdge& half) {
   const BRepAdaptor_Curve curve(body.edge(half.edge));
   gp_Pnt point;
   gp_Vec along;

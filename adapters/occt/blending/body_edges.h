@@ -19,10 +19,10 @@
 namespace blossom::occt {
 
 /// An end of an edge at a vertex.
-struct HalfEdge {
+struct DirectedEdge {
   int edge = 0;
   bool at_start = true;  ///< of the forward edge
-  friend bool operator==(const HalfEdge&, const HalfEdge&) = default;
+  friend bool operator==(const DirectedEdge&, const DirectedEdge&) = default;
 };
 
 /// One use of an edge by a face, as the outward face uses it: the face lies to its left.
@@ -37,7 +37,7 @@ struct EdgeUseInFace {
 
 /// A face's part between two edges at a vertex.
 struct VertexSector {
-  HalfEdge half;  ///< that begins it
+  DirectedEdge half;  ///< that begins it
   int face = 0;
   int use = 0;  ///< of that edge in the face, walking away from the vertex
 };
@@ -56,7 +56,7 @@ class BodyEdges {
   /// As the body has it.
   const TopoDS_Face& face(int number) const { return faces_of_[static_cast<std::size_t>(number)]; }
   int number(const TopoDS_Edge& edge) const { return edges_.FindIndex(edge); }
-  TopoDS_Vertex vertex(const HalfEdge& half) const;
+  TopoDS_Vertex vertex(const DirectedEdge& half) const;
 
   /// throws   BadModel as `face_trims`
   const FaceTrims& trims(int face) const;
@@ -77,7 +77,7 @@ class BodyEdges {
   /// that lies to the left of the one, as seen from outside, walking away from the vertex.
   /// Edges without length are left out.
   /// throws   BadModel if they make no ring
-  std::vector<VertexSector> round(const HalfEdge& half) const;
+  std::vector<VertexSector> round(const DirectedEdge& half) const;
 
   /// Of the outward face at a point of an edge's use.
   /// inwards   along the tangent plane into the face, unit, across the edge
@@ -105,7 +105,7 @@ class BodyEdges {
 inline constexpr double kSmoothJoint = 1e-3;
 
 /// The direction of an edge at a vertex, away from it, unit.
-Vec3 direction_at(const BodyEdges& body, const HalfEdge& half);
+Vec3 direction_at(const BodyEdges& body, const DirectedEdge& half);
 
 /// The kind of an edge of a body, and the largest angle between the normals along it.
 EdgeKind edge_kind(const BodyEdges& body, int edge, double& angle);

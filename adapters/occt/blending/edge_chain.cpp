@@ -71,7 +71,7 @@ bool is_concave(const BodyEdges& body, int edge) {
 }
 
 // As the body has it; no edge can end where it has none.
-std::vector<VertexSector> ring_at(const BodyEdges& body, const HalfEdge& half) {
+std::vector<VertexSector> ring_at(const BodyEdges& body, const DirectedEdge& half) {
   try {
     return body.round(half);
   } catch (const BadModel& error) {
@@ -88,12 +88,12 @@ std::vector<VertexSector> ring_at(const BodyEdges& body, const HalfEdge& half) {
 // The one sharp edge in which another one goes on at an end; 0 if there is none, or several.
 //
 // bend   of their directions at most, radians
-int next_of(const BodyEdges& body, const HalfEdge& half, bool concave, double bend) {
+int next_of(const BodyEdges& body, const DirectedEdge& half, bool concave, double bend) {
   const Vec3 back = -direction_at(body, half);
   int found = 0;
   const std::vector<VertexSector> ring = ring_at(body, half);
   for (std::size_t i = 1; i < ring.size(); ++i) {
-    const HalfEdge& other = ring[i].half;
+    const DirectedEdge& other = ring[i].half;
     if (other.edge == half.edge) continue;
     const Vec3 ahead = direction_at(body, other);
     if (std::atan2(norm(cross(back, ahead)), dot(back, ahead)) > bend) continue;
@@ -104,10 +104,6 @@ int next_of(const BodyEdges& body, const HalfEdge& half, bool concave, double be
   }
   return found;
 }
-
-}  // namespace
-
-namespace {
 
 // A chain with all edges in which it goes on.
 FilletEdges grown_chain(const BodyEdges& body, FilletEdges chain, double bend) {
@@ -149,9 +145,9 @@ bool is_creased(const BodyEdges& body, const std::vector<VertexSector>& ring, st
 
 // The half of a filleted edge in which another one goes on at its end, if any. Where the faces on
 // both sides are creased there, two strips meet instead.
-std::optional<HalfEdge> next_half(const BodyEdges& body, const HalfEdge& half,
-                                  const FilletEdges& edges) {
-  std::vector<HalfEdge> others;
+std::optional<DirectedEdge> next_half(const BodyEdges& body, const DirectedEdge& half,
+                                      const FilletEdges& edges) {
+  std::vector<DirectedEdge> others;
   const std::vector<VertexSector> ring = body.round(half);
   std::size_t place = 0;
   for (std::size_t i = 1; i < ring.size(); ++i) {

@@ -34,8 +34,8 @@ struct EdgeRun {
   bool closed = false;
   bool concave = false;
 
-  HalfEdge first() const { return {edges.front().edge, edges.front().forward}; }
-  HalfEdge last() const { return {edges.back().edge, !edges.back().forward}; }
+  DirectedEdge first() const { return {edges.front().edge, edges.front().forward}; }
+  DirectedEdge last() const { return {edges.back().edge, !edges.back().forward}; }
 };
 
 /// The runs that filleted edges make up: they go on over vertices with two of them that have one

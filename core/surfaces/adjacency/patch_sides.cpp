@@ -6,8 +6,6 @@
 #include "core/surfaces/adjacency/limits.h"
 
 namespace blossom {
-namespace {}  // namespace
-
 const Vec4& corner_point(const RationalBezierPatch& patch, const Vec2& corner) {
   const Grid<Vec4>& net = patch.points;
   return net(corner[0] > 0 ? net.rows() - 1 : 0, corner[1] > 0 ? net.columns() - 1 : 0);

@@ -118,8 +118,8 @@ Vec3 axis_apart(const Vec3& middle, const std::vector<Vec3>& corners) {
 // The edge in which two strips run into each other, between two vertices: followed from the one to
 // the other where a strip is fitted, else in the plane in which one ball touches all their faces,
 // or wherever they meet.
-PathEdge BlendSheet::mitre_edge(const HalfEdge& a, const HalfEdge& b, const TopoDS_Vertex& from,
-                                const TopoDS_Vertex& to, double reach) {
+PathEdge BlendSheet::mitre_edge(const DirectedEdge& a, const DirectedEdge& b,
+                                const TopoDS_Vertex& from, const TopoDS_Vertex& to, double reach) {
   const RolledStrip &strip = strip_of(a).strip, &other = strip_of(b).strip;
   const Interval part = part_near(a, end_of(a).t), other_part = part_near(b, end_of(b).t);
   const Vec3 place = point_of(from), target = point_of(to);
@@ -157,7 +157,7 @@ PathEdge BlendSheet::mitre_edge(const HalfEdge& a, const HalfEdge& b, const Topo
 // that is of the strips' own kind, else beyond it, over what the wider strip lays bare, and its
 // face grows up to there.
 BlendSheet::MitreSide BlendSheet::mitre_side(const MitreContact& a, const MitreContact& b,
-                                             const HalfEdge* between) {
+                                             const DirectedEdge* between) {
   const RolledStrip &strip = strip_of(a.half).strip, &other = strip_of(b.half).strip;
   StripEnd &end = end_of(a.half), &other_end = end_of(b.half);
   if (between == nullptr) {
@@ -221,7 +221,7 @@ bool BlendSheet::can_be_mitred(const Ring& ring, std::size_t other) {
 // between them, the wider one comes further along it, and goes over the face beside the other one
 // up to the other's contact.
 void BlendSheet::mitre(const Ring& ring, std::size_t other) {
-  const HalfEdge a = ring[0].half, b = ring[other].half;
+  const DirectedEdge a = ring[0].half, b = ring[other].half;
   const std::size_t last = ring.size() - 1;
   if (!can_be_mitred(ring, other))
     refuse(a, FilletFault::Corner,
@@ -244,7 +244,7 @@ void BlendSheet::mitre(const Ring& ring, std::size_t other) {
   const double reach = kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(left.joined),
                                               BRep_Tool::Tolerance(right.joined)});
   const PathEdge seam = mitre_edge(a, b, left.joined, right.joined, reach);
-  const auto over = [&](const HalfEdge& half, const MitreSide& side, bool inwards) {
+  const auto over = [&](const DirectedEdge& half, const MitreSide& side, bool inwards) {
     if (side.joined.IsSame(side.foot) || side.a_wider != (half == a)) return;
     cap_face(half, part_near(half, end_of(half).t), side.face, inwards ? side.foot : side.joined,
              inwards ? side.joined : side.foot);
@@ -261,7 +261,7 @@ void BlendSheet::mitre(const Ring& ring, std::size_t other) {
 }
 
 // A path from left to right, as it was made, from the first contact to the second.
-void BlendSheet::turn_path(const HalfEdge& half) {
+void BlendSheet::turn_path(const DirectedEdge& half) {
   if (left_side(half) == 0) return;
   std::vector<PathEdge>& path = end_of(half).path;
   std::reverse(path.begin(), path.end());
@@ -272,7 +272,7 @@ void BlendSheet::turn_path(const HalfEdge& half) {
 // there: the strips end in great circles of it. False, and nothing is done, where none does.
 bool BlendSheet::ball_corner(const Ring& ring) {
   const std::size_t count = ring.size();
-  const HalfEdge first = ring.front().half;
+  const DirectedEdge first = ring.front().half;
   for (const VertexSector& each : ring) {
     if (!is_filleted(each.half.edge)) return false;
     const RolledStrip &of = strip_of(each.half).strip, &strip = strip_of(first).strip;
@@ -307,7 +307,7 @@ bool BlendSheet::ball_corner(const Ring& ring) {
                           Precision::Confusion());
   const SurfaceProjector on_ball(patch.face, Precision::Confusion());
   for (std::size_t i = 0; i < count; ++i) {
-    const HalfEdge half = ring[i].half;
+    const DirectedEdge half = ring[i].half;
     PlacedStrip& of = strip_of(half);
     StripEnd& end = end_of(half);
     end.vertices[left_side(half)] = feet[i];

@@ -150,9 +150,10 @@ void BlendSheet::add(const BallWalk& walk) {
                        walk.joints[i]});
   }
   if (walk.joints.size() == count) return;  // closed
-  const HalfEdge start = walk.run.first(), end = walk.run.last();
+  const DirectedEdge start = walk.run.first(), end = walk.run.last();
   // A strip of another edge, or on other faces, has no sections of its own through the run's ends.
-  const auto end_by_vertex = [&](std::size_t at, const HalfEdge& half, std::size_t low_or_high) {
+  const auto end_by_vertex = [&](std::size_t at, const DirectedEdge& half,
+                                 std::size_t low_or_high) {
     if (walk.strips[at].of_edge && walk.strips[at].strip.edge == half.edge) return;
     RolledStrip& strip = strips_[first + at].strip;
     const double t = nearest_on(strip.spine, strip.range, point_of(body_.vertex(half)));
@@ -166,25 +167,26 @@ void BlendSheet::add(const BallWalk& walk) {
   open_.push_back(end);
 }
 
-PlacedStrip& BlendSheet::strip_of(const HalfEdge& half) {
+PlacedStrip& BlendSheet::strip_of(const DirectedEdge& half) {
   return strips_[ends_at_.at({half.edge, half.at_start}).strip];
 }
 
-StripEnd& BlendSheet::end_of(const HalfEdge& half) {
+StripEnd& BlendSheet::end_of(const DirectedEdge& half) {
   const EndPlace& place = ends_at_.at({half.edge, half.at_start});
   return strips_[place.strip].ends[place.end];
 }
 
-bool BlendSheet::is_low_end(const HalfEdge& half) const {
+bool BlendSheet::is_low_end(const DirectedEdge& half) const {
   return ends_at_.at({half.edge, half.at_start}).end == 0;
 }
 
-double BlendSheet::end_t(const HalfEdge& half) {
+double BlendSheet::end_t(const DirectedEdge& half) {
   const Interval& range = strip_of(half).strip.edge_range;
   return is_low_end(half) ? range.from : range.to;
 }
 
-void BlendSheet::refuse(const HalfEdge& half, FilletFault fault, const std::string& cause) const {
+void BlendSheet::refuse(const DirectedEdge& half, FilletFault fault,
+                        const std::string& cause) const {
   double first = 0, last = 0;
   BRep_Tool::Range(body_.edge(half.edge), first, last);
   const double end = half.at_start ? first : last;
@@ -202,19 +204,20 @@ void BlendSheet::refuse(const HalfEdge& half, FilletFault fault, const std::stri
 
 // The edge that ends a sector, as the sector's face uses it on its way to the vertex.
 const EdgeUseInFace& BlendSheet::arriving(const Ring& ring, std::size_t sector) const {
-  const HalfEdge& half = ring[(sector + 1) % ring.size()].half;
+  const DirectedEdge& half = ring[(sector + 1) % ring.size()].half;
   return body_.use(half.edge, !half.at_start);
 }
 
 void BlendSheet::build() {
   for (const Joint& each : joints_) join(each);
-  for (const HalfEdge& half : open_)
+  for (const DirectedEdge& half : open_)
     if (std::find(done_.begin(), done_.end(), half) == done_.end()) end_at(half);
   for (PlacedStrip& of : strips_) finish(of);
 }
 
 // Another way to end strips where the first one cannot be gone.
-void BlendSheet::or_else(const std::vector<HalfEdge>& halves, const std::function<void()>& ended,
+void BlendSheet::or_else(const std::vector<DirectedEdge>& halves,
+                         const std::function<void()>& ended,
                          const std::function<bool(const std::string& why)>& other) {
   const SheetBorder border = border_;
   const std::map<int, std::vector<TopoDS_Edge>> added = added_;
@@ -225,7 +228,7 @@ void BlendSheet::or_else(const std::vector<HalfEdge>& halves, const std::functio
     border_ = border;
     added_ = added;
     patches_.resize(patches);
-    for (const HalfEdge& each : halves) {
+    for (const DirectedEdge& each : halves) {
       end_of(each).path.clear();
       end_of(each).over = {};
     }
@@ -234,11 +237,11 @@ void BlendSheet::or_else(const std::vector<HalfEdge>& halves, const std::functio
 }
 
 // Strips that cannot be ended as they should be end in planes across them, if they can do that.
-void BlendSheet::blunt_unless(const std::vector<HalfEdge>& halves,
+void BlendSheet::blunt_unless(const std::vector<DirectedEdge>& halves,
                               const std::function<void()>& ended) {
   or_else(halves, ended, [&](const std::string& why) {
-    return std::ranges::all_of(halves,
-                               [&](const HalfEdge& each) { return blunt(body_.round(each), why); });
+    return std::ranges::all_of(
+        halves, [&](const DirectedEdge& each) { return blunt(body_.round(each), why); });
   });
 }
 
@@ -254,7 +257,7 @@ bool BlendSheet::is_set_back(const Ring& ring) {
   }
 }
 
-void BlendSheet::end_at(const HalfEdge& half) {
+void BlendSheet::end_at(const DirectedEdge& half) {
   Ring ring = body_.round(half);
   std::vector<std::size_t> filleted;
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -267,7 +270,7 @@ void BlendSheet::end_at(const HalfEdge& half) {
     const bool turn = filleted[1] + 1 == ring.size() && ring.size() > 2;
     if (turn) std::rotate(ring.begin(), ring.end() - 1, ring.end());
     const std::size_t other = turn ? 1 : filleted[1];
-    const std::vector<HalfEdge> halves{ring[0].half, ring[other].half};
+    const std::vector<DirectedEdge> halves{ring[0].half, ring[other].half};
     return blunt_unless(halves, [&] {
       if (!is_chamfer_ && !can_be_mitred(ring, other)) return set_back(ring);
       or_else(
@@ -278,7 +281,7 @@ void BlendSheet::end_at(const HalfEdge& half) {
   corner(ring);
 }
 
-TopoDS_Vertex BlendSheet::cut_edge(const HalfEdge& cut, double parameter,
+TopoDS_Vertex BlendSheet::cut_edge(const DirectedEdge& cut, double parameter,
                                    const TopoDS_Face& asking) {
   const TopoDS_Edge edge = body_.edge(cut.edge);
   const int split = splits_.add(edge, parameter, asking);
@@ -294,8 +297,8 @@ TopoDS_Vertex BlendSheet::cut_edge(const ContactCrossing& crossing, const TopoDS
 }
 
 // Either the face ends before the contact could meet the edge, or it turns away from it.
-void BlendSheet::refuse_miss(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
-                             const HalfEdge& cut) const {
+void BlendSheet::refuse_miss(const DirectedEdge& half, std::size_t side, const EdgeUseInFace& use,
+                             const DirectedEdge& cut) const {
   double first = 0, last = 0;
   BRep_Tool::Range(body_.edge(half.edge), first, last);
   const BodyEdges::Corner corner =
@@ -308,7 +311,7 @@ void BlendSheet::refuse_miss(const HalfEdge& half, std::size_t side, const EdgeU
   refuse(half, FilletFault::LeavesFace, miss + ", which bounds it at this end: " + too_large());
 }
 
-Interval BlendSheet::part_near(const HalfEdge& half, const std::array<double, 2>& t) {
+Interval BlendSheet::part_near(const DirectedEdge& half, const std::array<double, 2>& t) {
   const RolledStrip& strip = strip_of(half).strip;
   gp_Pnt point;
   gp_Vec rate;
@@ -471,7 +474,7 @@ TopoDS_Edge BlendSheet::apex_edge(const PlacedStrip& of, std::size_t side,
 // A strip that narrows to a point in the vertex ends there, and nothing beside it changes. False,
 // and nothing is done, if it does not.
 bool BlendSheet::end_in_point(const Ring& ring) {
-  const HalfEdge half = ring.front().half;
+  const DirectedEdge half = ring.front().half;
   const RolledStrip& strip = strip_of(half).strip;
   const TopoDS_Vertex vertex = body_.vertex(half);
   const auto point = narrow_end(body_, strip, half, tolerance_);

@@ -104,27 +104,27 @@ class BlendSheet {
     WalkJoint walked;
   };
 
-  PlacedStrip& strip_of(const HalfEdge& half);
-  StripEnd& end_of(const HalfEdge& half);
-  bool is_low_end(const HalfEdge& half) const;
-  double end_t(const HalfEdge& half);
+  PlacedStrip& strip_of(const DirectedEdge& half);
+  StripEnd& end_of(const DirectedEdge& half);
+  bool is_low_end(const DirectedEdge& half) const;
+  double end_t(const DirectedEdge& half);
   /// The contacts of a strip that lie to the left and right of who walks away from one of its ends.
-  std::size_t left_side(const HalfEdge& half) const { return is_low_end(half) ? 0 : 1; }
-  std::size_t right_side(const HalfEdge& half) const { return is_low_end(half) ? 1 : 0; }
+  std::size_t left_side(const DirectedEdge& half) const { return is_low_end(half) ? 0 : 1; }
+  std::size_t right_side(const DirectedEdge& half) const { return is_low_end(half) ? 1 : 0; }
 
-  void end_at(const HalfEdge& half);
-  void or_else(const std::vector<HalfEdge>& halves, const std::function<void()>& ended,
+  void end_at(const DirectedEdge& half);
+  void or_else(const std::vector<DirectedEdge>& halves, const std::function<void()>& ended,
                const std::function<bool(const std::string& why)>& other);
   bool is_set_back(const Ring& ring);
-  void blunt_unless(const std::vector<HalfEdge>& halves, const std::function<void()>& ended);
+  void blunt_unless(const std::vector<DirectedEdge>& halves, const std::function<void()>& ended);
   bool end_in_point(const Ring& ring);
   void cap(const Ring& ring);
   bool blunt(const Ring& ring, const std::string& why);
   double wall_t(const Ring& ring);
   TopoDS_Edge wall_border(const EndCurve& down, const TopoDS_Vertex& contact,
                           const TopoDS_Vertex& corner, bool on_left, int face);
-  std::optional<TopoDS_Vertex> wall_foot(const HalfEdge& half, double t);
-  Cut end_cut(const HalfEdge& half, std::size_t side, int& beyond, int& edge);
+  std::optional<TopoDS_Vertex> wall_foot(const DirectedEdge& half, double t);
+  Cut end_cut(const DirectedEdge& half, std::size_t side, int& beyond, int& edge);
   bool turns_back(const Ring& ring, bool on_left);
   Cut grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge);
   bool takes_over(const Ring& ring, int taking, int giving, int edge, const TopoDS_Vertex& cut);
@@ -135,14 +135,14 @@ class BlendSheet {
     bool is_contact = false;
   };
   std::optional<Vec3> way_over(const RolledStrip& strip, int face, const StripPlace& from) const;
-  int cross_face(const HalfEdge& half, const Interval& part, int face, StripPlace& from,
+  int cross_face(const DirectedEdge& half, const Interval& part, int face, StripPlace& from,
                  TopoDS_Vertex& start);
   void join(const Joint& joint);
   TopoDS_Vertex joint_vertex(const PlacedStrip& of, std::size_t side, double t,
                              const std::optional<ContactCrossing>& over);
   /// A contact at a mitre, and its face's use of the edge between the strips, if there is one.
   struct MitreContact {
-    HalfEdge half;
+    DirectedEdge half;
     std::size_t side = 0;
     const EdgeUseInFace* use = nullptr;
   };
@@ -153,15 +153,15 @@ class BlendSheet {
     bool a_wider = false;
     int face = 0;
   };
-  MitreSide mitre_side(const MitreContact& a, const MitreContact& b, const HalfEdge* between);
+  MitreSide mitre_side(const MitreContact& a, const MitreContact& b, const DirectedEdge* between);
   bool can_be_mitred(const Ring& ring, std::size_t other);
   void mitre(const Ring& ring, std::size_t other);
-  PathEdge mitre_edge(const HalfEdge& a, const HalfEdge& b, const TopoDS_Vertex& from,
+  PathEdge mitre_edge(const DirectedEdge& a, const DirectedEdge& b, const TopoDS_Vertex& from,
                       const TopoDS_Vertex& to, double reach);
-  void turn_path(const HalfEdge& half);
+  void turn_path(const DirectedEdge& half);
   std::optional<std::vector<TopoDS_Vertex>> borders_cross(const Ring& ring);
   bool flat_corner(const Ring& ring, const std::vector<TopoDS_Vertex>& places);
-  std::optional<TopoDS_Edge> flat_end(const HalfEdge& half, const TopoDS_Face& plane,
+  std::optional<TopoDS_Edge> flat_end(const DirectedEdge& half, const TopoDS_Face& plane,
                                       const TopoDS_Vertex& from, const TopoDS_Vertex& to);
   bool crossed_corner(const Ring& ring);
   bool ball_corner(const Ring& ring);
@@ -171,32 +171,32 @@ class BlendSheet {
   struct SetbackSide {
     FillSide side;
     TopoDS_Vertex from{};
-    std::optional<HalfEdge> half{};      // of a strip
+    std::optional<DirectedEdge> half{};  // of a strip
     int face = 0;                        // of a path
     Handle(Geom2d_BezierCurve) chart{};  // of a path, or a slanting line
   };
   double setback_t(const Ring& ring, std::size_t sector);
-  double wanted_setback_t(const HalfEdge& half, double stop, double width);
+  double wanted_setback_t(const DirectedEdge& half, double stop, double width);
   std::optional<double> stop_beside(const Ring& ring, std::size_t sector, bool on_left);
   double setback_cut(const Ring& ring, std::size_t sector);
-  SetbackSide section_side_of(const HalfEdge& half);
-  SetbackSide slanted_side(const HalfEdge& half);
+  SetbackSide section_side_of(const DirectedEdge& half);
+  SetbackSide slanted_side(const DirectedEdge& half);
   SetbackSide path_side(const Ring& ring, std::size_t sector,
                         const std::map<std::size_t, double>& cuts);
-  PathEdge section_edge(const HalfEdge& half, const FillBorder& border);
+  PathEdge section_edge(const DirectedEdge& half, const FillBorder& border);
   PathEdge setback_edge(const SetbackSide& side, const FillBorder& border);
   void fill_corner(const Ring& ring, const std::vector<SetbackSide>& sides);
   void set_back(const Ring& ring);
 
-  [[noreturn]] void refuse_miss(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
-                                const HalfEdge& cut) const;
-  TopoDS_Vertex cut_edge(const HalfEdge& cut, double parameter, const TopoDS_Face& asking);
+  [[noreturn]] void refuse_miss(const DirectedEdge& half, std::size_t side,
+                                const EdgeUseInFace& use, const DirectedEdge& cut) const;
+  TopoDS_Vertex cut_edge(const DirectedEdge& cut, double parameter, const TopoDS_Face& asking);
   TopoDS_Vertex cut_edge(const ContactCrossing& crossing, const TopoDS_Face& asking);
   void join_section(const EndPlace& before, const EndPlace& after);
   TopoDS_Vertex new_vertex(const Vec3& point);
-  Interval part_near(const HalfEdge& half, const std::array<double, 2>& t);
+  Interval part_near(const DirectedEdge& half, const std::array<double, 2>& t);
   TopoDS_Edge section(const PlacedStrip& of, const StripEnd& end);
-  void cap_face(const HalfEdge& half, const Interval& part, int face, const TopoDS_Vertex& from,
+  void cap_face(const DirectedEdge& half, const Interval& part, int face, const TopoDS_Vertex& from,
                 const TopoDS_Vertex& to, bool touches = false);
   /// Where a curve in a face goes over the line of the face's seam.
   struct SeamMeeting {
@@ -228,7 +228,8 @@ class BlendSheet {
   void add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patch);
   TopoDS_Edge apex_edge(const PlacedStrip& of, std::size_t side, const TopoDS_Face& face) const;
   void finish(PlacedStrip& of);
-  [[noreturn]] void refuse(const HalfEdge& half, FilletFault fault, const std::string& cause) const;
+  [[noreturn]] void refuse(const DirectedEdge& half, FilletFault fault,
+                           const std::string& cause) const;
   /// What refusals call the line along which a blend meets its face, and what is too large of it.
   std::string contact_words() const {
     return is_chamfer_ ? "the chamfer's border" : "the ball's contact";
@@ -245,12 +246,12 @@ class BlendSheet {
   std::vector<PlacedStrip> strips_;
   std::vector<Joint> joints_;
   std::map<std::pair<int, bool>, EndPlace> ends_at_;  // by half-edge
-  std::vector<HalfEdge> open_;
+  std::vector<DirectedEdge> open_;
   std::set<int> filleted_;
   SheetBorder border_;
   std::map<int, std::vector<TopoDS_Edge>> added_;  // by face
   std::vector<BlendPatch> patches_;
-  std::vector<HalfEdge> done_;
+  std::vector<DirectedEdge> done_;
   std::vector<TopoDS_Vertex> made_;  // inside of faces
   std::vector<std::string> notes_;
 };

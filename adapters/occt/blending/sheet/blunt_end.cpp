@@ -46,7 +46,7 @@ double rolling_speed(const RolledStrip& strip, double t) {
 }
 
 // Along an edge from a point of it to its end, model units.
-double length_left(const BodyEdges& body, const HalfEdge& half, const Vec3& from) {
+double length_left(const BodyEdges& body, const DirectedEdge& half, const Vec3& from) {
   const BRepAdaptor_Curve curve(body.edge(half.edge));
   const Interval range{curve.FirstParameter(), curve.LastParameter()};
   Interval own;
@@ -61,7 +61,7 @@ double length_left(const BodyEdges& body, const HalfEdge& half, const Vec3& from
 // Where a strip ends in a wall: at the vertex, or before a contact leaves its face beside it, or
 // comes to that of another strip, or the ball has to turn round.
 double BlendSheet::wall_t(const Ring& ring) {
-  const HalfEdge half = ring.front().half;
+  const DirectedEdge half = ring.front().half;
   const PlacedStrip& placed = strip_of(half);
   const RolledStrip& strip = placed.strip;
   const double inwards = is_low_end(half) ? 1 : -1;
@@ -76,7 +76,7 @@ double BlendSheet::wall_t(const Ring& ring) {
   for (const std::size_t side : {left_side(half), right_side(half)}) {
     if (ring.size() < 2) break;
     const bool on_left = side == left_side(half);
-    const HalfEdge& beside = on_left ? ring[1].half : last.half;
+    const DirectedEdge& beside = on_left ? ring[1].half : last.half;
     std::optional<double> end;
     if (is_filleted(beside.edge)) {
       const std::size_t other = on_left ? right_side(beside) : left_side(beside);
@@ -97,7 +97,7 @@ double BlendSheet::wall_t(const Ring& ring) {
 
 // The vertex of the body at the end of the strip, or a new one on the edge, in the plane across the
 // strip at t, from which the edge stays as it was.
-std::optional<TopoDS_Vertex> BlendSheet::wall_foot(const HalfEdge& half, double t) {
+std::optional<TopoDS_Vertex> BlendSheet::wall_foot(const DirectedEdge& half, double t) {
   const RolledStrip& strip = strip_of(half).strip;
   if (t == end_t(half)) return body_.vertex(half);
   if (t <= strip.edge_range.from || t >= strip.edge_range.to) return std::nullopt;
@@ -142,7 +142,7 @@ TopoDS_Edge BlendSheet::wall_border(const EndCurve& down, const TopoDS_Vertex& c
 // has to be one is told. False, and nothing is done, if the contacts have left their faces there,
 // or the plane misses the faces.
 bool BlendSheet::blunt(const Ring& ring, const std::string& why) {
-  const HalfEdge half = ring.front().half;
+  const DirectedEdge half = ring.front().half;
   PlacedStrip& of = strip_of(half);
   const RolledStrip& strip = of.strip;
   const double t = wall_t(ring);

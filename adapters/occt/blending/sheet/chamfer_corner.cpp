@@ -49,7 +49,7 @@ std::optional<std::vector<TopoDS_Vertex>> BlendSheet::borders_cross(const Ring& 
       return std::nullopt;
   std::vector<TopoDS_Vertex> places(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const HalfEdge half = ring[i].half, next = ring[(i + 1) % count].half;
+    const DirectedEdge half = ring[i].half, next = ring[(i + 1) % count].half;
     const RolledStrip &of = strip_of(half).strip, &after = strip_of(next).strip;
     const auto crossing = contacts_cross(body_, of, left_side(half), end_t(half), after,
                                          right_side(next), end_t(next));
@@ -65,7 +65,7 @@ std::optional<std::vector<TopoDS_Vertex>> BlendSheet::borders_cross(const Ring& 
 
 // The edge in which a strip ends in a plane, with its charts; the strip walks it from the one
 // vertex to the other.
-std::optional<TopoDS_Edge> BlendSheet::flat_end(const HalfEdge& half, const TopoDS_Face& plane,
+std::optional<TopoDS_Edge> BlendSheet::flat_end(const DirectedEdge& half, const TopoDS_Face& plane,
                                                 const TopoDS_Vertex& from,
                                                 const TopoDS_Vertex& to) {
   const RolledStrip& strip = strip_of(half).strip;
@@ -114,7 +114,7 @@ bool BlendSheet::flat_corner(const Ring& ring, const std::vector<TopoDS_Vertex>&
 }
 
 // From the right to the left, as seen by who walks away from the vertex.
-BlendSheet::SetbackSide BlendSheet::slanted_side(const HalfEdge& half) {
+BlendSheet::SetbackSide BlendSheet::slanted_side(const DirectedEdge& half) {
   const RolledStrip& strip = strip_of(half).strip;
   const StripEnd& end = end_of(half);
   TColgp_Array1OfPnt2d poles(1, 2);

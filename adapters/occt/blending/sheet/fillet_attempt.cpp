@@ -21,10 +21,6 @@ FilletRefusal not_put_together(const std::exception& error) {
           {}};
 }
 
-}  // namespace
-
-namespace {
-
 FilletAttempt attempt(Filleting& work, const FilletEdges& all, double radius) {
   try {
     FilletAttempt made{guarded(kFilleting, [&] { return work.made(all, radius); }), {}, {}, {}};

@@ -91,8 +91,8 @@ bool folds(const RationalBezierPatch& patch) {
 // Where a contact meets that of the strip beside it, or the edge.
 std::optional<double> BlendSheet::stop_beside(const Ring& ring, std::size_t sector, bool on_left) {
   const std::size_t count = ring.size(), before = (sector + count - 1) % count;
-  const HalfEdge half = ring[sector].half;
-  const HalfEdge beside = ring[on_left ? (sector + 1) % count : before].half;
+  const DirectedEdge half = ring[sector].half;
+  const DirectedEdge beside = ring[on_left ? (sector + 1) % count : before].half;
   const RolledStrip& strip = strip_of(half).strip;
   const std::size_t side = on_left ? left_side(half) : right_side(half);
   if (is_filleted(beside.edge)) {
@@ -111,7 +111,7 @@ std::optional<double> BlendSheet::stop_beside(const Ring& ring, std::size_t sect
 // The section at the distance from the vertex that was asked for.
 //
 // stop    t at which the contacts meet what is beside them
-double BlendSheet::wanted_setback_t(const HalfEdge& half, double stop, double width) {
+double BlendSheet::wanted_setback_t(const DirectedEdge& half, double stop, double width) {
   const PlacedStrip& of = strip_of(half);
   const double inwards = is_low_end(half) ? 1 : -1;
   const double whole = edge_length(body_.edge(half.edge));
@@ -129,7 +129,7 @@ double BlendSheet::wanted_setback_t(const HalfEdge& half, double stop, double wi
 
 // The section in which a strip ends before the corner.
 double BlendSheet::setback_t(const Ring& ring, std::size_t sector) {
-  const HalfEdge half = ring[sector].half;
+  const DirectedEdge half = ring[sector].half;
   const PlacedStrip& of = strip_of(half);
   const RolledStrip& strip = of.strip;
   const double inwards = is_low_end(half) ? 1 : -1;
@@ -152,12 +152,12 @@ double BlendSheet::setback_t(const Ring& ring, std::size_t sector) {
 // The parameter of an edge without fillet in which the fill ends.
 double BlendSheet::setback_cut(const Ring& ring, std::size_t sector) {
   const std::size_t count = ring.size(), before = (sector + count - 1) % count;
-  const HalfEdge half = ring[sector].half;
+  const DirectedEdge half = ring[sector].half;
   const Vec3 vertex = point_of(body_.vertex(half));
   double reach = 0, width = 0;
   for (const bool from_left : {true, false}) {
     const std::size_t beside = from_left ? (sector + 1) % count : before;
-    const HalfEdge& other = ring[beside].half;
+    const DirectedEdge& other = ring[beside].half;
     if (!is_filleted(other.edge)) continue;
     const RolledStrip& strip = strip_of(other).strip;
     const std::size_t side = from_left ? right_side(other) : left_side(other);
@@ -181,7 +181,7 @@ double BlendSheet::setback_cut(const Ring& ring, std::size_t sector) {
 }
 
 // From right to left, as seen by who walks away from the vertex.
-BlendSheet::SetbackSide BlendSheet::section_side_of(const HalfEdge& half) {
+BlendSheet::SetbackSide BlendSheet::section_side_of(const DirectedEdge& half) {
   const RolledStrip& strip = strip_of(half).strip;
   const StripEnd& end = end_of(half);
   try {
@@ -205,7 +205,7 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
   made.face = face;
   made.side.continuity = is_chamfer_ ? FillContinuity::G0 : FillContinuity::G1;
   const auto end_in = [&](std::size_t at, bool on_left) {
-    const HalfEdge half = ring[at].half;
+    const DirectedEdge half = ring[at].half;
     PathEnd end;
     if (const auto cut = cuts.find(at); cut != cuts.end()) {
       const EdgeUseInFace& use = on_left ? body_.uses(face)[static_cast<std::size_t>(ring[at].use)]
@@ -257,7 +257,7 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
 }
 
 // Half a strip's section as an edge of the sheet, with its charts on the strip and the fill.
-PathEdge BlendSheet::section_edge(const HalfEdge& half, const FillBorder& border) {
+PathEdge BlendSheet::section_edge(const DirectedEdge& half, const FillBorder& border) {
   const RolledStrip& strip = strip_of(half).strip;
   const double t = end_of(half).t[0];
   const Handle(Geom_Curve) arc = strip.along_u ? strip.surface->UIso(t) : strip.surface->VIso(t);
@@ -349,7 +349,7 @@ void BlendSheet::set_back(const Ring& ring) {
   }
   std::vector<SetbackSide> sides;
   for (std::size_t i = 0; i < count; ++i) {
-    const HalfEdge half = ring[i].half;
+    const DirectedEdge half = ring[i].half;
     const bool is_strip = is_filleted(half.edge);
     if (is_strip) sides.push_back(section_side_of(half));
     sides.push_back(path_side(ring, i, cuts));

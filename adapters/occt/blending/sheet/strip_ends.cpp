@@ -43,7 +43,7 @@ bool has_pole_at(const BodyEdges& body, int face, const TopoDS_Vertex& vertex) {
 }  // namespace
 
 // Where a contact leaves its face at an end of its strip, and the face behind.
-BlendSheet::Cut BlendSheet::end_cut(const HalfEdge& half, std::size_t side, int& beyond,
+BlendSheet::Cut BlendSheet::end_cut(const DirectedEdge& half, std::size_t side, int& beyond,
                                     int& edge) {
   const PlacedStrip& of = strip_of(half);
   const RolledContact& contact = of.strip.contacts[side];
@@ -88,7 +88,7 @@ BlendSheet::Cut BlendSheet::end_cut(const HalfEdge& half, std::size_t side, int&
 // Whether the border of a face turns back at the end of a strip, so that the contact runs on past
 // it inside of the face.
 bool BlendSheet::turns_back(const Ring& ring, bool on_left) {
-  const HalfEdge half = ring.front().half;
+  const DirectedEdge half = ring.front().half;
   const VertexSector& sector = on_left ? ring.front() : ring.back();
   const std::size_t side = on_left ? left_side(half) : right_side(half);
   if (ring.size() < 3 || strip_of(half).strip.contacts[side].face != sector.face) return false;
@@ -98,7 +98,7 @@ bool BlendSheet::turns_back(const Ring& ring, bool on_left) {
   BRep_Tool::Range(body_.edge(half.edge), first, last);
   const BodyEdges::Corner corner =
       body_.corner(body_.use(half.edge, side == 0), half.at_start ? first : last);
-  const HalfEdge beside = on_left ? ring[1].half : ring.back().half;
+  const DirectedEdge beside = on_left ? ring[1].half : ring.back().half;
   const Vec3 way = direction_at(body_, beside);
   const double across = dot(way, corner.inwards), straight = std::sin(kSmoothJoint);
   // In a cusp of the face both edges leave the vertex the same way.
@@ -108,11 +108,11 @@ bool BlendSheet::turns_back(const Ring& ring, bool on_left) {
 
 // Where a border turns back, the face behind it grows up to the contact and ends the strip there.
 BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge) {
-  const HalfEdge half = ring.front().half;
+  const DirectedEdge half = ring.front().half;
   const RolledStrip& strip = strip_of(half).strip;
   const std::size_t side = on_left ? left_side(half) : right_side(half);
   const RolledContact& contact = strip.contacts[side];
-  const HalfEdge beside = on_left ? ring[1].half : ring.back().half;
+  const DirectedEdge beside = on_left ? ring[1].half : ring.back().half;
   beyond = (on_left ? ring[1] : ring[ring.size() - 2]).face;
   edge = beside.edge;
   const double inside = strip_of(half).inside;
@@ -220,7 +220,7 @@ TopoDS_Vertex BlendSheet::grown_seam(const SeamMeeting& seam, const Vec3& place,
 // tolerance e: with curvatures that differ by 1/r they meet up to sqrt(2 e r) beside the contact.
 //
 // touches   whether one of the ends is such a contact
-void BlendSheet::cap_face(const HalfEdge& half, const Interval& part, int face,
+void BlendSheet::cap_face(const DirectedEdge& half, const Interval& part, int face,
                           const TopoDS_Vertex& from, const TopoDS_Vertex& to, bool touches) {
   const RolledStrip& strip = strip_of(half).strip;
   if (strip.concave && has_pole_at(body_, face, body_.vertex(half)))
@@ -273,8 +273,8 @@ std::optional<Vec3> BlendSheet::way_over(const RolledStrip& strip, int face,
 //
 // Of the edges ahead it is the first one: from the strip's left to its right, or, where the strip
 // goes along itself or back over a face, in the way that it takes there.
-int BlendSheet::cross_face(const HalfEdge& half, const Interval& part, int face, StripPlace& from,
-                           TopoDS_Vertex& start) {
+int BlendSheet::cross_face(const DirectedEdge& half, const Interval& part, int face,
+                           StripPlace& from, TopoDS_Vertex& start) {
   const RolledStrip& strip = strip_of(half).strip;
   const double w_left = strip.contacts[left_side(half)].w;
   const double span = strip.contacts[right_side(half)].w - w_left;
@@ -318,7 +318,7 @@ int BlendSheet::cross_face(const HalfEdge& half, const Interval& part, int face,
 // if it does not.
 bool BlendSheet::takes_over(const Ring& ring, int taking, int giving, int edge,
                             const TopoDS_Vertex& cut) {
-  const HalfEdge half = ring.front().half;
+  const DirectedEdge half = ring.front().half;
   const TopoDS_Vertex corner = body_.vertex(half);
   const auto beside =
       std::ranges::find_if(ring, [&](const VertexSector& each) { return each.half.edge == edge; });
@@ -361,7 +361,7 @@ bool BlendSheet::takes_over(const Ring& ring, int taking, int giving, int edge,
 
 // One strip ends among faces that have no other.
 void BlendSheet::cap(const Ring& ring) {
-  const HalfEdge half = ring.front().half;
+  const DirectedEdge half = ring.front().half;
   StripEnd& end = end_of(half);
   int face = 0, last = 0, entered = 0, left_at = 0;
   const Cut left = turns_back(ring, true) ? grown_cut(ring, true, face, entered)

@@ -71,7 +71,7 @@ std::optional<std::size_t> BallWalker::next_place(std::size_t place, int step) c
 // Whether other fillets end where the run does, or it would go on there: they, not borders of
 // faces, end its strips.
 bool BallWalker::is_shared(int step) const {
-  const HalfEdge half = end_half(step);
+  const DirectedEdge half = end_half(step);
   const auto ring = body_.round(half);
   return std::ranges::any_of(ring, [&](const VertexSector& each) {
     if (options_.ended_before.count(each.half.edge) > 0) return true;
@@ -213,7 +213,7 @@ WalkExit BallWalker::over_edges(const WalkedStrip& of, std::size_t side,
 std::optional<WalkExit> BallWalker::end_in_point(
     const WalkedStrip& of, int step, double from,
     const std::array<std::optional<ContactCrossing>, 2>& first) const {
-  const HalfEdge half = end_half(step);
+  const DirectedEdge half = end_half(step);
   const int ahead = of.forward ? step : -step;
   const auto point = narrow_end(body_, of.strip, half, options_.tolerance);
   if (!point || ahead * (point->t - from) <= 0) return std::nullopt;

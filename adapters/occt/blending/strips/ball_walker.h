@@ -77,7 +77,7 @@ class BallWalker {
   std::optional<WalkedStrip> start_behind(std::size_t place);
   bool is_start(const std::array<int, 2>& faces, const std::array<int, 2>& held) const;
   bool holds(const WalkedStrip& of, double t, const ContactCrossing& over) const;
-  bool begins_at(int edge, const HalfEdge& half) const;
+  bool begins_at(int edge, const DirectedEdge& half) const;
   bool is_end_edge(int edge) const;
   double turned_past(const WalkedStrip& of, std::size_t side, const EdgeUseInFace& use,
                      double t) const;
@@ -123,7 +123,7 @@ class BallWalker {
   };
   Course course(const WalkedStrip& of, int step, double t) const;
   void check_course(const WalkedStrip& of, int step, const Interval& way) const;
-  HalfEdge end_half(int step) const { return step > 0 ? run_.last() : run_.first(); }
+  DirectedEdge end_half(int step) const { return step > 0 ? run_.last() : run_.first(); }
   bool is_shared(int step) const;
   [[noreturn]] void refuse(FilletFault fault, std::size_t place, const std::string& cause,
                            const Vec3& centre) const {

@@ -261,7 +261,7 @@ std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const Roll
 // that offsets of theirs are a x y apart, to within e, the tolerance. Where that is 0 may be
 // sqrt(2 e / a) beside the vertex; there the faces turn by sqrt(2 e a).
 std::optional<NarrowEnd> narrow_end(const BodyEdges& body, const RolledStrip& strip,
-                                    const HalfEdge& half, double tolerance) {
+                                    const DirectedEdge& half, double tolerance) {
   double first = 0, last = 0;
   BRep_Tool::Range(body.edge(half.edge), first, last);
   const double end = half.at_start ? first : last;

@@ -60,7 +60,7 @@ struct NarrowEnd {
 ///
 /// tolerance   model units
 std::optional<NarrowEnd> narrow_end(const BodyEdges& body, const RolledStrip& strip,
-                                    const HalfEdge& half, double tolerance);
+                                    const DirectedEdge& half, double tolerance);
 
 /// Where an edge goes through a strip.
 struct EdgeThrough {

@@ -306,7 +306,7 @@ RolledStrip Tracing::beside_edge(double beyond) {
   edge_range = common(between, valid);
   if (length(edge_range) <= 0)
     refuse(FilletFault::NoBall, "the ball does not roll along the edge", {});
-  const HalfEdge low{edge, !turned}, high{edge, turned};
+  const DirectedEdge low{edge, !turned}, high{edge, turned};
   check_reach(edge_range.from, point_of(body.vertex(low)), beyond);
   check_reach(edge_range.to, point_of(body.vertex(high)), beyond);
   const Interval range = common({edge_range.from - beyond, edge_range.to + beyond}, valid);

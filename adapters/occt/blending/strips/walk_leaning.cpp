@@ -38,7 +38,7 @@ double nearest_on_edge(const BodyEdges& body, int edge, const Vec3& point) {
 }
 
 // Whether an edge, if it is one, begins in the vertex of a half-edge.
-bool BallWalker::begins_at(int edge, const HalfEdge& half) const {
+bool BallWalker::begins_at(int edge, const DirectedEdge& half) const {
   return edge > 0 && (body_.vertex({edge, true}).IsSame(body_.vertex(half)) ||
                       body_.vertex({edge, false}).IsSame(body_.vertex(half)));
 }

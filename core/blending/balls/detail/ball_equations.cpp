@@ -80,10 +80,6 @@ bool is_sound(const ChartRectangle& part, const BezierSurface& surface) {
          inside(part.v, surface.v_knots, surface.closed_v);
 }
 
-}  // namespace
-
-namespace {
-
 // An edge E with the frame that `ball_track.h` has, and their derivatives by u.
 std::optional<OffsetJet> pipe_jet(const BezierSurface& ruled, const ChartCell& cell, const Vec2& uv,
                                   double radius) {
