@@ -2,6 +2,7 @@
 #include "adapters/occt/solid_trim.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <iterator>
 #include <span>
@@ -26,6 +27,7 @@
 #include "adapters/occt/solids/labelled_solids.h"
 #include "adapters/occt/solids/sheets.h"
 #include "adapters/occt/solids/tolerances/stated_tolerance.h"
+#include "adapters/occt/solids/validity/own_contacts.h"
 #include "adapters/occt/solids/validity/solid_validity.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
@@ -34,6 +36,9 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kCornerMargin = 1.1;  // of the gap between edges that are one
+// Seconds beyond what a refused work took, for the question whether its inputs meet themselves. A
+// choice: most models are asked in less.
+constexpr double kAsking = 1;
 
 // All of a step but its solids and faces.
 void add_facts(const SolidTrimResult& step, SolidTrimResult& result) {
@@ -321,6 +326,25 @@ void tell_loose_faces(const TrimTool& part, const std::vector<TrimTool>& tools,
     const TrimTool& of = face.tool < 0 ? part : tools[static_cast<std::size_t>(face.tool)];
     if (!of.places.empty()) face.from = of.places[static_cast<std::size_t>(face.from)];
   }
+  for (Finding& finding : result.findings)
+    for (InputFace& face : finding.faces) {
+      const TrimTool& of = face.tool < 0 ? part : tools[static_cast<std::size_t>(face.tool)];
+      if (!of.places.empty()) face.face = of.places[static_cast<std::size_t>(face.face)];
+    }
+}
+
+// Where inputs meet themselves. What is not known of them then is no further obstacle.
+void find_own_contacts(const TrimTool& part, const std::vector<TrimTool>& tools,
+                       const IntersectionOptions& options, SolidTrimResult& result) try {
+  const SharedLimit limit(options);
+  const auto ask = [&](const TrimTool& input, int number) {
+    if (limit.is_reached()) return;
+    std::vector<Finding> found = own_contacts(input, number, limit.remaining());
+    std::ranges::move(found, std::back_inserter(result.findings));
+  };
+  ask(part, -1);
+  for (std::size_t i = 0; i < tools.size(); ++i) ask(tools[i], static_cast<int>(i));
+} catch (const BadModel&) {
 }
 
 void require_faces(const TrimTool& input, const std::string& name) {
@@ -365,9 +389,18 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
     throw InvalidInput("trim: " + cause);
   KeptTolerances kept(part.faces);
   for (const TrimTool& tool : tools) kept.remember(tool.faces);
+  const SharedLimit limit(options);
+  const auto begun = std::chrono::steady_clock::now();
   SolidTrimResult result;
-  with_threads(options.threads,
-               [&] { result = trimmed_at_corners(part, tools, operation, options); });
+  with_threads(options.threads, [&] {
+    result = trimmed_at_corners(part, tools, operation, options);
+    if (result.obstacles.empty() || limit.is_reached()) return;
+    IntersectionOptions left = limit.remaining();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    const double most = took.count() + kAsking;
+    left.time_limit = left.time_limit > 0 ? std::min(left.time_limit, most) : most;
+    find_own_contacts(part, tools, left, result);
+  });
   if (const auto copies = kept.parted(); !copies.IsNull()) part_from_inputs(*copies, result);
   tell_loose_faces(part, tools, result);
   if (!part.is_solid()) result.open_part = describe_open_shell(part);

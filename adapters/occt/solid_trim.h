@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include <TopoDS_Solid.hxx>
 
 #include "adapters/occt/trim_tool.h"
+#include "core/math/vec.h"
 #include "core/surface_intersection.h"
 
 namespace blossom::occt {
@@ -70,6 +72,24 @@ struct SolidFace {
   SheetSide side = SheetSide::Outside;  ///< of a sheet's piece; else without a meaning
 };
 
+/// A face of an input.
+struct InputFace {
+  int tool = -1;  ///< index of the tool; -1 of the part
+  int face = 0;   ///< its place among all faces of that one
+};
+
+enum class FindingCode {
+  InputMeetsItself,  ///< faces of one solid beside what they share, or one face
+};
+
+/// What stands against a result, or explains what does, as data.
+struct Finding {
+  FindingCode code = FindingCode::InputMeetsItself;
+  std::vector<InputFace> faces{};
+  std::optional<Vec3> point{};
+  double size = 0;  ///< about how long what is found is, model units; 0: a point
+};
+
 struct SolidTrimResult {
   Status status = Status::Complete;  ///< of the intersection
   Certificate certificate;
@@ -83,6 +103,7 @@ struct SolidTrimResult {
   std::string open_part;  ///< why the part is taken as a sheet, as `describe_open_shell`
   std::vector<std::string> left_out;    ///< faces of inputs that are loose beside closed solids
   std::vector<std::string> obstacles;   ///< why there is no result; none if it can be used
+  std::vector<Finding> findings;        ///< causes of obstacles, looked for once there are some
   std::vector<std::string> thin;        ///< pieces, or cuts, that are apart and count as one
   std::vector<std::string> tolerances;  ///< what was not true about those of the part and the tools
 };
@@ -137,6 +158,9 @@ std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& t
 /// between them, up to ten tolerances (solids/tolerances/contact_scale.h), and told.
 ///
 /// Tolerances of edges and vertices that are not true are not used: see with_true_tolerances.
+///
+/// Where there is an obstacle, and no limit was reached, inputs are asked whether they meet
+/// themselves (solids/validity/own_contacts.h), for as long as the work took and a second.
 ///
 /// options       its time limit is that of the whole work; when it is reached, volumes and solids
 ///               too are left with the obstacle and the status Stopped

@@ -14,6 +14,7 @@
 #include "adapters/occt/solid_trim.h"
 #include "plugin/draw/commands/commands.h"
 #include "plugin/draw/commands/words.h"
+#include "plugin/reports/cuts/solids.h"
 
 namespace blossom::draw {
 namespace {
@@ -41,7 +42,7 @@ std::string answer_to_blsolid(const Words& words) {
 
   const occt::SolidTrimResult made = occt::trim_solids(part, tools, operation);
 
-  if (!made.obstacles.empty()) throw occt::Failure(made.obstacles.front());
+  if (!made.obstacles.empty()) throw occt::Failure(reports::causes(made).front());
   DBRep::Set(words[0].c_str(),
              made.of_sheets ? occt::compound_of(made.sheets) : occt::compound_of(made.solids));
   return std::to_string(made.of_sheets ? made.sheets.size() : made.solids.size()) + " " +

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include <TopExp.hxx>
@@ -70,6 +72,37 @@ Json volumes_json(const occt::SolidVolumes& volumes) {
           {"fuse_error", volumes.fuse_error()}};
 }
 
+std::string input_name(int tool) {
+  return tool < 0 ? "the part" : "tool " + std::to_string(tool + 1);
+}
+
+std::string sentence(const occt::Finding& finding) {
+  const std::vector<occt::InputFace>& faces = finding.faces;
+  std::ostringstream text;
+  text << input_name(faces.front().tool) << " meets itself: its face " << faces.front().face + 1;
+  text << (faces.size() == 1 ? " meets itself"
+                             : " meets face " + std::to_string(faces.back().face + 1) +
+                                   " beside what they share");
+  if (const auto& at = finding.point)
+    text << ", at (" << (*at)[0] << ", " << (*at)[1] << ", " << (*at)[2] << ")";
+  return text.str();
+}
+
+Json findings_json(const std::vector<occt::Finding>& findings) {
+  Json all = Json::array();
+  for (const occt::Finding& finding : findings) {
+    Json faces = Json::array();
+    for (const occt::InputFace& face : finding.faces)
+      faces.push_back(
+          {{"tool", face.tool < 0 ? Json() : Json(face.tool + 1)}, {"face", face.face + 1}});
+    all.push_back({{"code", "input-meets-itself"},
+                   {"faces", std::move(faces)},
+                   {"point", finding.point ? to_json(*finding.point) : Json()},
+                   {"size", finding.size}});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::optional<occt::SolidOperation> solid_operation(const std::string& word) {
@@ -116,6 +149,13 @@ void note_faces(SolidAnswer& answer) {
   answer.idle = idle_planes(answer);
 }
 
+std::vector<std::string> causes(const occt::SolidTrimResult& made) {
+  std::vector<std::string> all;
+  for (const occt::Finding& finding : made.findings) all.push_back(sentence(finding));
+  all.insert(all.end(), made.obstacles.begin(), made.obstacles.end());
+  return all;
+}
+
 Json solid_report(const SolidAnswer& answer) {
   Json solids = Json::array(), steps = Json::array(), sheets = Json::array();
   for (const TopoDS_Shell& sheet : answer.made.sheets)
@@ -146,7 +186,8 @@ Json solid_report(const SolidAnswer& answer) {
             {"tools", answer.made.total.tools},
             {"result", answer.made.total.result}}},
           {"left_out", answer.made.left_out},
-          {"obstacles", answer.made.obstacles},
+          {"obstacles", causes(answer.made)},
+          {"findings", findings_json(answer.made.findings)},
           {"thin", answer.made.thin},
           {"tolerances", answer.made.tolerances},
           {"invalid", answer.invalid},

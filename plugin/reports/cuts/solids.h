@@ -18,6 +18,9 @@ namespace blossom::reports {
 /// By its word: cut, common, fuse or split; nothing for another one.
 std::optional<occt::SolidOperation> solid_operation(const std::string& word);
 
+/// Why there is no result, in sentences: what was found to be the cause first.
+std::vector<std::string> causes(const occt::SolidTrimResult& made);
+
 struct SolidAnswer {
   std::string part{};
   std::vector<std::string> tools{};

@@ -191,7 +191,7 @@ std::string summary(const SolidTrim& options, const TimedSolids& timed) {
   for (const std::string& thin : timed.made.thin) text << "  " << thin << "\n";
   for (const std::string& invalid : timed.invalid) text << "  " << invalid << "\n";
   for (const std::string& idle : timed.idle) text << "  " << idle << "\n";
-  for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
+  for (const std::string& cause : reports::causes(timed.made)) text << "  " << cause << "\n";
   if (timed.made.status != Status::Complete)
     for (const std::string& reason : told_reasons(timed.made.certificate, Contacts::NotListed))
       text << "  " << reason << "\n";
@@ -236,7 +236,7 @@ bool wants_shape(const CommonOptions& outputs) {
 
 // Why nothing is written though it was asked for; empty if nothing speaks against it.
 std::string reason_of(const occt::SolidTrimResult& made) {
-  if (!made.obstacles.empty()) return made.obstacles.front();
+  if (!made.obstacles.empty()) return reports::causes(made).front();
   return made.solids.empty() && made.sheets.empty() ? "the result is empty" : "";
 }
 
