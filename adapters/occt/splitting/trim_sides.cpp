@@ -186,8 +186,11 @@ bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach) {
   const Vec3 p{point->X(), point->Y(), point->Z()};
   const SurfaceProjector feet(face, Precision::Confusion());
   const Vec2 uv = feet.foot(p, {});
-  return feet.gap(p, uv) <= reach &&
-         part_side(face_trims(face), {uv[0], uv[0]}, {uv[1], uv[1]}) != PartSide::Outside;
+  if (feet.gap(p, uv) > reach) return false;
+  const FaceTrims trims = face_trims(face);
+  const Vec2 at{uv[0] * trims.scale[0], uv[1] * trims.scale[1]};
+  return std::ranges::any_of(period_shifts(trims, planar_line(at, at, {0, 1})),
+                             [&](const Vec2& shift) { return is_inside(trims, at + shift); });
 }
 
 ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use) {

@@ -33,8 +33,7 @@ enum class ToolSide { Unknown, Above, Below, On };
 /// points of the cut; unknown when they disagree or the surfaces are tangential there.
 ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use);
 
-/// Whether a piece lies on a face: a point inside of it is within reach of it, inside of its trims
-/// or on its border.
+/// Whether a piece lies on a face: a point inside of it is within reach of it, inside of its trims.
 bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach);
 
 /// The side of each piece with respect to one tool, in the order of `pieces`.

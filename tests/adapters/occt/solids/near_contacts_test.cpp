@@ -80,7 +80,7 @@ TEST(NearContacts, ACylinderThroughTheCornersOfACubeMayMissThemByALittle) {
 // of it between: the two run beside each other there, and are not one.
 TEST(NearContacts, ARimThatCrossesSidesByAFewTolerancesDividesThem) {
   const TopoDS_Shape cube = BRepPrimAPI_MakeBox(5, 5, 5).Shape();
-  for (const double past : {6e-7, 8.5e-7, 5e-6}) {
+  for (const double past : {3e-7, 6e-7, 8.5e-7, 5e-6}) {
     const double r = 2.5 + past, height = 3;
     const TopoDS_Shape rod =
         BRepPrimAPI_MakeCylinder(gp_Ax2({2.5, 2.5, 0}, gp::DZ()), r, height).Shape();
