@@ -10,11 +10,11 @@
 namespace blossom::cli {
 
 inline constexpr int kExitComplete = 0;
-inline constexpr int kExitFailure = 1;   ///< no output: unwritable, empty, internal error
-inline constexpr int kExitBadInput = 2;  ///< bad usage or bad input
-inline constexpr int kExitTolerance = 3;
-inline constexpr int kExitStopped = 4;   ///< a partial result was written
-inline constexpr int kExitFindings = 5;  ///< of commands that look for something, with --fail-on
+inline constexpr int kExitFailure = 1;    ///< no output: unwritable, empty, internal error
+inline constexpr int kExitBadInput = 2;   ///< bad usage or bad input
+inline constexpr int kExitTolerance = 3;  ///< right but for what is listed
+inline constexpr int kExitStopped = 4;    ///< by a limit
+inline constexpr int kExitFindings = 5;   ///< of commands that look for something, with --fail-on
 inline constexpr int kExitInterrupted = 130;
 
 /// The exit code of a finished command.

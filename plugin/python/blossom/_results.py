@@ -197,8 +197,8 @@ class Selective(Result):
 
     @property
     def status(self) -> str:
-        """ "complete", or "stopped" if something is left out."""
-        return "stopped" if self.refused else "complete"
+        """ "complete", or "tolerance" if something is left out."""
+        return "tolerance" if self.refused else "complete"
 
 
 def _add_reasons(told: Any, found: Dict[str, None]) -> None:

@@ -11,11 +11,15 @@
 #include <string>
 #include <vector>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp.hxx>
+#include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
@@ -183,6 +187,24 @@ TEST_F(ConvertMesh, RefusesFormsOfSurfaces) {
   write(BRepPrimAPI_MakeBox(1, 1, 1), "box.brep");
   EXPECT_EQ(run("box.brep", "a.stl", {"--to", "bezier"}).code, 2);
   EXPECT_EQ(run("box.brep", "a.stl", {"--deviation", "-1"}).code, 2);
+}
+
+// What is left out is listed, and no limit stopped anything.
+TEST_F(ConvertMesh, LeavesOutAFaceWhoseBorderCrosses) {
+  BRepBuilderAPI_MakePolygon bow(gp_Pnt(5, 5, 50), gp_Pnt(9, 9, 50), gp_Pnt(9, 5, 50),
+                                 gp_Pnt(5, 9, 50), true);
+  TopoDS_Compound both;
+  const BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+  builder.Add(both, BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 50), gp::DZ()), bow.Wire()).Face());
+  write(both, "both.brep");
+  const Finished ran = run("both.brep", "both.stl", {"--json", "-"});
+  EXPECT_EQ(ran.code, 3) << ran.err;
+  const nlohmann::json made = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(made["triangles"], 12);
+  ASSERT_EQ(made["refused"].size(), 1u);
+  EXPECT_EQ(made["refused"][0]["face"], 7);
 }
 
 }  // namespace

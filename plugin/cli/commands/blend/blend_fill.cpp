@@ -140,7 +140,6 @@ void write_outputs(const Input& input, const FillCommand& command,
 
 /// Less than was asked for is not complete: a hole that stays, or curvatures that do not agree.
 int code_of(const reports::FillAnswer& holes) {
-  if (holes.filled() < holes.all.size()) return kExitStopped;
   return reports::is_as_asked(holes) ? kExitComplete : kExitTolerance;
 }
 

@@ -131,7 +131,7 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
     write_json(report, common.json);
   }
   print_summary(summary(input.name, common.output, answer), common.json);
-  return answer.refused.empty() ? kExitComplete : kExitStopped;
+  return answer.refused.empty() ? kExitComplete : kExitTolerance;
 }
 
 }  // namespace blossom::cli

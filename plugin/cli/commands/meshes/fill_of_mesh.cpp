@@ -24,7 +24,7 @@ int run_fill_of_mesh(const std::string& input, const CommonOptions& common) {
     meshes::write_mesh_file(filled.mesh, common.output, false, stop_if_interrupted);
   if (!common.json.empty()) write_json(meshes::mesh_fill_report(input, filled), common.json);
   print_summary(meshes::mesh_fill_text(input, filled), common.json);
-  return filled.whole() ? kExitComplete : kExitStopped;
+  return filled.whole() ? kExitComplete : kExitTolerance;
 }
 
 }  // namespace blossom::cli
