@@ -53,6 +53,9 @@ struct FilletRefusal {
   /// just meet, if what they take grew with it.
   double fits = 1;
 
+  /// The largest as all doors tell it, six digits, cut off: what is told is to work.
+  std::optional<double> told_largest() const;
+
   /// "edge 12: ... at (x, y, z)".
   std::string text() const;
 };

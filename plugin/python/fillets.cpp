@@ -53,7 +53,7 @@ Answer blend_edges(const SharedModel& part, const EdgeWish& wish, const occt::Fi
     answer.seconds = watch.seconds() - start;
     watch.stop();
     SharedModel made;
-    if (!answer.made.solids.empty()) {
+    if (!answer.made.solids.empty() || reports::is_unchanged(answer.made)) {
       occt::Model copy = input.model.copy();
       reports::put_fillets(copy, answer);
       made = std::make_shared<LoadedModel>(kind, std::move(copy), Repair::Never);

@@ -23,15 +23,11 @@ const char* to_string(FilletFault fault) {
   return "result";
 }
 
-namespace {
-
-// Six digits, cut off: what is told is to work.
-double rounded_down(double value) {
-  const double digit = std::pow(10, std::floor(std::log10(value)) - 5);
-  return digit * std::floor(value / digit);
+std::optional<double> FilletRefusal::told_largest() const {
+  if (!largest) return std::nullopt;
+  const double digit = std::pow(10, std::floor(std::log10(*largest)) - 5);
+  return digit * std::floor(*largest / digit);
 }
-
-}  // namespace
 
 std::string FilletRefusal::text() const {
   std::ostringstream text;
@@ -40,7 +36,7 @@ std::string FilletRefusal::text() const {
   if (point) text << ", at (" << (*point)[0] << ", " << (*point)[1] << ", " << (*point)[2] << ")";
   if (largest)
     text << "; the largest " << (of_chamfer ? "distance" : "radius") << " that works is "
-         << rounded_down(*largest);
+         << *told_largest();
   return text.str();
 }
 

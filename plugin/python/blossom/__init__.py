@@ -162,8 +162,10 @@ __all__ = [
 def read(path: FileName, faces: Any = None, strict: bool = False, **options: Any) -> Model:
     """Reads a STEP, IGES or BREP file, told by its content.
 
-    path     perhaps with faces of it, as in "part.step#3,5-9" or "part.step#Face3"
-    faces    the same: numbers of the faces that count, or "Face3"; None is all
+    Shapes that are missing in what was read are warned of; `reading` has all that is.
+
+    path     perhaps with faces or parts of it: "part.step#3,5-9", "part.step#Face3", "part.step#Lid"
+    faces    the same: numbers of the faces that count, "Face3", or "Lid"; None is all
     strict   a file of which shapes are missing is refused
     """
     if not isinstance(path, (str, os.PathLike)):

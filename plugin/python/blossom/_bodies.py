@@ -76,6 +76,16 @@ class EdgeBlend(Result):
     _done = ""
 
     @property
+    def status(self) -> str:
+        """ "complete", "tolerance" if some edges are left out, "refused" if nothing is made, or
+        "stopped"."""
+        return str(self._told()["status"])
+
+    def __bool__(self) -> bool:
+        """Whether there is a model."""
+        return self.status in ("complete", "tolerance")
+
+    @property
     def edges(self) -> List[int]:
         """Those that were asked for and made, and those that they go on in."""
         return list(self._told()["edges"])

@@ -176,6 +176,8 @@ def _in_list(value: Any) -> Any:
     return [value] if isinstance(value, str) else value
 
 
+MESH_FILES = (".stl", ".ply", ".obj", ".off")
+
 _FACE_RANGE = re.compile(r"([1-9]\d{0,8})-([1-9]\d{0,8})")
 
 
@@ -265,19 +267,24 @@ def section(value: Any, name: str) -> str:
     return told
 
 
+def angle(value: Any, name: str) -> float:
+    """Above 0 and not above pi: what is more was meant as degrees."""
+    made = positive(value, name)
+    if made > math.pi:
+        raise ValueError(f"{name}: {made} is above pi; radians are wanted")
+    return made
+
+
 def chamfer_size(
-    distance: Any, angle: Any
+    distance: Any, turn: Any
 ) -> Tuple[float, Optional[float], Optional[float]]:
     """The first distance, and the second one or an angle, if there is one."""
     first, second = radii(distance, "distance")
-    if angle is None:
+    if turn is None:
         return first, second, None
     if second is not None:
         raise ValueError("angle: a second distance, or an angle is wanted, not both")
-    made = positive(angle, "angle")
-    if made >= math.pi:
-        raise ValueError(f"angle: {made} is not below pi; radians are wanted")
-    return first, None, made
+    return first, None, angle(turn, "angle")
 
 
 NamedPlane = Tuple[Triple, Triple, str, Optional[float]]
@@ -360,12 +367,12 @@ def is_of_drawings(file: str) -> bool:
 
 
 def facets(
-    deviation: Any, angle: Any, edge_length: Any, aspect: Any
+    deviation: Any, turn: Any, edge_length: Any, aspect: Any
 ) -> Tuple[float, float, float, float]:
     """How fine triangles are; 0 is what is not given, and of a deviation a part of the size."""
     return (
         0.0 if deviation is None else positive(deviation, "deviation"),
-        FACET_ANGLE if angle is None else positive(angle, "angle"),
+        FACET_ANGLE if turn is None else angle(turn, "angle"),
         0.0 if edge_length is None else positive(edge_length, "edge_length"),
         0.0 if aspect is None else positive(aspect, "aspect"),
     )

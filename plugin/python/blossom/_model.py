@@ -103,7 +103,11 @@ class Model(_results.MadeShape):
         return self.part([number])
 
     def part(self, numbers: Any) -> "Model":
-        """Some faces, by their numbers, or as "Face3"; they share the model."""
+        """Some faces, by their numbers, as "Face3", or those of a part, as "Shaft"; they share the
+        model."""
+        if isinstance(numbers, str):
+            listed = _shapes.faces_named(self._core, numbers, "numbers")
+            return Model(self._core.part(listed, f"{self.name}#{numbers}"))
         listed = _checks.face_numbers(numbers, "numbers")
         name = f"{self.name}#{','.join(map(str, listed))}"
         return Model(self._core.part(listed, name))
@@ -132,7 +136,7 @@ class Model(_results.MadeShape):
             _core.continuity(
                 self._core,
                 _checks.positive(gap, "gap"),
-                _checks.positive(angle, "angle"),
+                _checks.angle(angle, "angle"),
                 _checks.positive(curvature, "curvature"),
                 "" if require is None else _checks.word(require, "require", _checks.SMOOTHNESS),
                 _checks.control(options),
@@ -395,7 +399,7 @@ class Model(_results.MadeShape):
                 numbers,
                 words,
                 _checks.word(layout, "layout", _checks.LAYOUTS),
-                _checks.positive(angle, "angle"),
+                _checks.angle(angle, "angle"),
                 _checks.flag(sew, "sew"),
                 _checks.control(options),
             )

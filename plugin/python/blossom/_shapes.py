@@ -8,6 +8,7 @@ import os
 import re
 import sys
 import tempfile
+import warnings
 from typing import Any, List, Optional, Sequence, Tuple
 
 import numpy as np
@@ -52,12 +53,58 @@ def _core_model(shape: Any, name: str) -> _core.Model:
 
 
 def core_of_file(path: str, name: str, strict: bool, control: _core.Control) -> _core.Model:
-    """The model of a file, or of faces in it: "part.step#3,5-9"; a file that is called so wins."""
-    file, mark, faces = path.rpartition("#")
+    """The model of a file, or of what is named in it: "part.step#3,5-9", "part.step#Shaft"; a file
+    that is called so wins."""
+    file, mark, words = path.rpartition("#")
     if not mark or os.path.exists(path) or not os.path.exists(file):
-        return _core.read_file(path, strict, control)
-    model = _core.read_file(file, strict, control)
-    return model.part(_checks.chosen_faces(faces, name, model.face_count), path)
+        return _told_core(path, name, strict, control)
+    model = _told_core(file, name, strict, control)
+    return model.part(faces_named(model, words, name), path)
+
+
+def _told_core(path: str, name: str, strict: bool, control: _core.Control) -> _core.Model:
+    """Files of triangles are refused, and shapes that reading lost are warned of."""
+    if path.lower().endswith(_checks.MESH_FILES) and os.path.exists(path):
+        raise ValueError(f"{name}: {path} is of triangles, which from_mesh() takes")
+    model = _core.read_file(path, strict, control)
+    reading = model.reading
+    if reading is not None and reading["grade"] == "shapes lost":
+        lost = [
+            f"{each['count']} x {each['what']}: {each['cause']}"
+            for each in reading["losses"]
+            if each["of_shape"]
+        ]
+        warnings.warn(
+            f"{path}: shapes are missing or not as they are there: " + "; ".join(lost),
+            stacklevel=4,  # who called read()
+        )
+    return model
+
+
+def faces_named(model: _core.Model, words: str, name: str) -> List[int]:
+    """Of "3,5-9,Face12,Shaft", what an input of the command line has after its '#'. Names may have
+    commas."""
+    entries = words.split(",")
+    faces: List[int] = []
+    while entries:
+        for taken in range(len(entries), 0, -1):
+            called = _faces_called(model, ",".join(entries[:taken]))
+            if called:
+                break
+        else:
+            taken = 1
+            called = _checks.chosen_faces(entries[0], name, model.face_count)
+        faces += called
+        del entries[:taken]
+    return sorted(set(faces))
+
+
+def _faces_called(model: _core.Model, word: str) -> List[int]:
+    """Those of all parts and assemblies of that name, or way, "machine:1/Shaft"; or of that name."""
+    wanted = f"/{word}/"
+    paths, names = model.part_paths(), model.face_names()
+    found = [n for n, path in enumerate(paths, start=1) if wanted in f"/{path}/"]
+    return found or [n for n, own in enumerate(names, start=1) if own == word]
 
 
 def net_model(net: Any, name: str) -> _core.Model:

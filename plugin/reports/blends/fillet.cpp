@@ -76,7 +76,7 @@ Json refusal_json(const occt::FilletRefusal& refusal) {
           {"cause", refusal.cause},
           {"parameter", number_or_null(refusal.parameter)},
           {"point", refusal.point ? Json(refusal.point->coordinates) : Json(nullptr)},
-          {"largest_radius", number_or_null(refusal.largest)}};
+          {"largest_radius", number_or_null(refusal.told_largest())}};
 }
 
 }  // namespace
@@ -118,6 +118,19 @@ std::vector<int> edges_between(const std::vector<occt::EdgeFacts>& facts, int fa
   return edges;
 }
 
+bool is_unchanged(const occt::FilletResult& made) {
+  return made.solids.empty() && made.status != Status::Stopped && !made.refused.empty() &&
+         std::ranges::all_of(made.refused, [](const occt::FilletRefusal& each) {
+           return each.fault == occt::FilletFault::Nothing;
+         });
+}
+
+const char* status_word(const occt::FilletResult& made) {
+  if (made.status == Status::Stopped) return to_string(made.status);
+  if (made.solids.empty() && !is_unchanged(made)) return "refused";
+  return to_string(made.refused.empty() ? made.status : Status::Tolerance);
+}
+
 double volume_of(const occt::FilletResult& made) {
   double volume = 0;
   for (const occt::FilletedSolid& solid : made.solids) volume += solid.volume;
@@ -133,6 +146,7 @@ occt::Model blends_of(const FilletAnswer& answer) {
 }
 
 void put_fillets(occt::Model& part, const FilletAnswer& answer) {
+  if (answer.made.solids.empty()) return;
   const occt::Model blends = blends_of(answer);
   std::vector<occt::CombinedSolid> solids;
   int next = 0;
@@ -151,7 +165,7 @@ Json fillet_report(const Input& part, const FilletAnswer& answer) {
   const bool any = !answer.made.solids.empty();
   Json report = {{"schema", "blossom.blend/1"}, {"kind", kind_of(answer)}, {"part", part.name}};
   report.update(size_json(answer));
-  report.update({{"status", to_string(answer.made.status)},
+  report.update({{"status", status_word(answer.made)},
                  {"asked", answer.asked},
                  {"edges", answer.made.edges},
                  {"refused", std::move(refused)},

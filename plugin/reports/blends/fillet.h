@@ -32,14 +32,20 @@ struct FilletAnswer {
   double seconds = 0;
 };
 
+/// Whether all edges that were asked for need nothing: the part as it was is then the result.
+bool is_unchanged(const occt::FilletResult& made);
+
+/// "complete", "tolerance" if some edges are left out, "refused" if nothing is made, "stopped".
+const char* status_word(const occt::FilletResult& made);
+
 /// Of all solids that were made.
 double volume_of(const occt::FilletResult& made);
 
 /// The blends, each as a part that gives its face a name.
 occt::Model blends_of(const FilletAnswer& answer);
 
-/// Puts what was made in the place of the part's solids; the part has the faces by which the fillet
-/// was made, under the same numbers.
+/// Puts what was made in the place of the part's solids, if anything is; the part has the faces by
+/// which the fillet was made, under the same numbers.
 void put_fillets(occt::Model& part, const FilletAnswer& answer);
 
 /// The whole object, schema "blossom.blend/1".

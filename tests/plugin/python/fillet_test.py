@@ -49,6 +49,7 @@ class Fillets(unittest.TestCase):
         made = BLOCK.fillet([1], radius=200)
 
         self.assertEqual((made.edges, made.volume), ([], None))
+        self.assertEqual((made.status, bool(made)), ("refused", False))
         self.assertTrue(repr(made).startswith("<blossom.Fillet: nothing rounded, 1 refused: edge 1:"))
         self.assertEqual(made.refused[0]["fault"], "leaves face")
         self.assertIn("the radius is too large", made.refused[0]["cause"])
@@ -176,7 +177,7 @@ class Chamfers(unittest.TestCase):
             (ValueError, "^distance: 0.0 is not positive", {"edges": [1], "distance": 0}),
             (ValueError, "^angle: a second distance, or an angle",
              {"edges": [1], "distance": (1, 2), "angle": 1}),
-            (ValueError, "^angle: 4.0 is not below pi", {"edges": [1], "angle": 4}),
+            (ValueError, "^angle: 4.0 is above pi; radians are wanted", {"edges": [1], "angle": 4}),
         ):  # fmt: skip
             with self.subTest(arguments), self.assertRaisesRegex(error, message):
                 BLOCK.chamfer(**{"distance": 2, **arguments})

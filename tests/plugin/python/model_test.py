@@ -35,6 +35,36 @@ class Reading(unittest.TestCase):
             self.assertEqual(model.reading["grade"], "whole")
             self.assertEqual(repr(model), f"<blossom.Model: {BLOCK}, 6 faces>")
 
+    def test_parts_have_names(self):
+        rig = blossom.solid("split", BLOCK, DRILL).model
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "rig.step")
+            rig.write(path)
+            whole = blossom.read(path)
+            name = whole.part_paths[0]
+            told = [n for n, each in enumerate(whole.part_paths, start=1) if each == name]
+            self.assertEqual(whole.part(name).face_numbers, told)
+            self.assertEqual(blossom.read(f"{path}#{name}").face_numbers, told)
+            self.assertEqual(blossom.read(path, f"{name},Face2").face_numbers, sorted({2, *told}))
+        with self.assertRaisesRegex(ValueError, "'Nowhere' is no face"):
+            blossom.read(BLOCK).part("Nowhere")
+
+    def test_files_of_triangles_are_told_what_takes_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "block.stl")
+            blossom.read(BLOCK).write(path)
+            with self.assertRaisesRegex(ValueError, r"is of triangles, which from_mesh\(\) takes"):
+                blossom.read(path)
+
+    def test_lost_shapes_are_warned_of(self):
+        text = BLOCK.read_text().replace("ADVANCED_FACE", "ADVANCED_FARCE", 1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "broken.step")
+            path.write_text(text)
+            with self.assertWarnsRegex(UserWarning, "shapes are missing or not as they are"):
+                model = blossom.read(path)
+        self.assertEqual(model.reading["grade"], "shapes lost")
+
     def test_results_outlive_the_models_that_they_are_of(self):
         drilled = blossom.read(BLOCK).solid("cut", DRILL)
         again = blossom.shape(drilled).solid("cut", planes=[((0, 0, 10), (0, 0, 1))])
