@@ -348,8 +348,9 @@ void check_options(const std::vector<TrimTool>& tools, const TrimOptions& option
   if (options.keep != Keep::Inside && options.keep != Keep::Outside) return;
   for (std::size_t i = 0; i < tools.size(); ++i)
     if (!tools[i].is_solid())
-      throw InvalidInput("trim: inside and outside need closed solids, tool " +
-                         std::to_string(i + 1) + " is none");
+      throw InvalidInput("trim: inside and outside need closed solids, " +
+                         (tools[i].name.empty() ? "tool " + std::to_string(i + 1) : tools[i].name) +
+                         " is none");
 }
 
 KeptTolerances kept_tolerances(const std::vector<PartFace>& part,

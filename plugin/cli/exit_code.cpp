@@ -12,8 +12,6 @@ int exit_code(Status status) {
   return kExitStopped;
 }
 
-int exit_code_unwritten(Status status) {
-  return status == Status::Stopped ? kExitStopped : kExitFailure;
-}
+int exit_code_unwritten(int code) { return code == kExitStopped ? kExitStopped : kExitFailure; }
 
 }  // namespace blossom::cli

@@ -20,9 +20,10 @@ inline constexpr int kExitInterrupted = 130;
 /// The exit code of a finished command.
 int exit_code(Status status);
 
-/// The same where a file was asked for and there was nothing to write: never that of a success, so
-/// that an older file of that name is not taken for the result.
-int exit_code_unwritten(Status status);
+/// The same of a command that ends with `code` where a file that was asked for is not written:
+/// never that of a success, so that nothing goes on with a file that is not there, or with an older
+/// one.
+int exit_code_unwritten(int code);
 
 /// The command was used wrongly: an option's value that makes no sense, an input that cannot be
 /// meant. Exit code 2.

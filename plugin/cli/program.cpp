@@ -16,6 +16,7 @@
 #include "plugin/cli/arguments/usage.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
+#include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
 #include "plugin/cli/process/supervision.h"
 
@@ -45,7 +46,7 @@ int run(int argc, char** argv) {
   } catch (const UsageError& error) {
     return misused(app, error.what());
   }
-  return stated_exit_code(code);
+  return stated_exit_code(is_file_unwritten() ? exit_code_unwritten(code) : code);
 }
 
 }  // namespace

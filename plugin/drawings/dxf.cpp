@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -47,30 +48,54 @@ class DxfLines {
   std::string text_;
 };
 
-// Unlike all others; they differ by more than the case of letters.
-std::string layer_name(const std::string& wanted, std::set<std::string>& known) {
-  std::string name;
-  for (const char c : wanted)
-    name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '$' ? c : '_';
-  name = name.substr(0, kLongestName);
-  const auto upper = [](std::string text) {
-    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return text;
-  };
-  std::string made = name;
-  for (int i = 2; !known.insert(upper(made)).second; ++i) {
-    const std::string ending = "_" + std::to_string(i);
-    made = name.substr(0, kLongestName - ending.size()) + ending;
+constexpr const char* kInner = "-inner";
+
+// The letters that layers may have; umlauts as they are spelt without their dots, others as one
+// "_".
+std::string layer_letters(const std::string& name) {
+  static const std::map<std::string, std::string> kSpelt{
+      {"ä", "ae"}, {"ö", "oe"}, {"ü", "ue"}, {"Ä", "Ae"}, {"Ö", "Oe"}, {"Ü", "Ue"}, {"ß", "ss"}};
+  std::string letters;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    const auto is_inside = [](char byte) { return (byte & 0xC0) == 0x80; };  // of UTF-8
+    if (is_inside(c)) continue;
+    const auto spelt = kSpelt.find(name.substr(i, 2));
+    if (spelt != kSpelt.end())
+      letters += spelt->second;
+    else
+      letters += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '$' ? c : '_';
   }
-  return made;
+  return letters;
 }
 
-bool has_several_parts(const std::vector<DrawnPlane>& planes) {
-  std::set<std::string> names;
-  for (const DrawnPlane& plane : planes)
-    for (const DrawnPart& part : plane.parts) names.insert(part.name);
-  return names.size() > 1;
+std::string upper_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
 }
+
+// What layers call each part, in all planes the same and unlike all others; words differ by more
+// than the case of letters. Behind a plane's name there is room for them and for kInner.
+std::map<std::string, std::string> part_words(const std::vector<DrawnPlane>& planes,
+                                              std::size_t room) {
+  std::map<std::string, std::string> words;  // by the parts' names
+  std::set<std::string> known;
+  for (const DrawnPlane& plane : planes)
+    for (const DrawnPart& part : plane.parts) {
+      if (words.contains(part.name)) continue;
+      const std::string letters = layer_letters(part.name);
+      std::string word = letters.substr(0, room);
+      for (int i = 2; known.contains(upper_case(word)); ++i) {
+        const std::string ending = "_" + std::to_string(i);
+        word = letters.substr(0, room - ending.size()) + ending;
+      }
+      known.insert({upper_case(word), upper_case(word + kInner)});
+      words[part.name] = word;
+    }
+  return words;
+}
+
+std::string plane_word(std::size_t number) { return "PLANE_" + std::to_string(number); }
 
 // Those of a part; what does not bound it, a plotter or a saw must not follow.
 struct PartLayers {
@@ -83,21 +108,18 @@ bool has_inner_wires(const DrawnPart& part) {
 
 // One for each part of each plane, and one for its inner wires if it has any.
 std::vector<std::vector<PartLayers>> layers_of(const std::vector<DrawnPlane>& planes) {
-  const bool several = has_several_parts(planes);
-  std::set<std::string> known{"0"};
-  std::vector<std::string> parts;  // in the order of their colours
+  const std::size_t taken = plane_word(planes.size()).size() + 1 + std::string(kInner).size();
+  const std::map<std::string, std::string> words = part_words(planes, kLongestName - taken);
+  std::map<std::string, std::size_t> order;  // of the parts' colours
   std::vector<std::vector<PartLayers>> layers;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     std::vector<PartLayers>& own = layers.emplace_back();
-    const std::string plane = "PLANE_" + std::to_string(i + 1);
-    const std::string common = several ? "" : layer_name(plane, known);
     for (const DrawnPart& part : planes[i].parts) {
-      std::size_t place = 0;
-      while (place < parts.size() && parts[place] != part.name) ++place;
-      if (place == parts.size()) parts.push_back(part.name);
+      const std::size_t place = order.emplace(part.name, order.size()).first->second;
       const int colour = kColourNumbers[place % kColourNumbers.size()];
-      const std::string outline = several ? layer_name(plane + "-" + part.name, known) : common;
-      const std::string inner = has_inner_wires(part) ? layer_name(outline + "-inner", known) : "";
+      const std::string outline =
+          plane_word(i + 1) + (words.size() > 1 ? "-" + words.at(part.name) : "");
+      const std::string inner = has_inner_wires(part) ? outline + kInner : "";
       own.push_back({{outline, colour}, {inner, colour}});
     }
   }

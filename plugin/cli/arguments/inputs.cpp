@@ -47,6 +47,11 @@ std::pair<int, int> face_range(const std::string& entry, const std::string& inpu
   return {first, last};
 }
 
+// Of an entry that may be a piece of a name.
+bool is_face_range(const std::string& entry) {
+  return !entry.empty() && entry.find_first_not_of("0123456789-") == std::string::npos;
+}
+
 bool exists(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::exists(file, ignored);
@@ -106,6 +111,18 @@ TopoDS_Shape shape_of(const Selection& selection, const std::vector<int>& faces,
   return occt::compound_of(shapes);
 }
 
+// The same, with names that have commas as one.
+InputName with_whole_names(InputName name, const std::string& text, const occt::Model& model) {
+  name.faces.clear();
+  name.words.clear();
+  for (const std::string& word : words_in(model, name.list))
+    if (is_name(word))
+      name.words.push_back(word);
+    else
+      name.faces.push_back(face_range(word, text));
+  return name;
+}
+
 // What words name, beside the faces that numbers do.
 void select(const InputName& name, Faces need, Input& input) {
   const Selection selection = selection_of(input.model, name.words);
@@ -146,18 +163,17 @@ InputName parse_input(const std::string& text) {
   const std::size_t mark = text.rfind('#');
   if (mark == std::string::npos || exists(text)) return {text, {}, {}};
 
-  InputName name{text.substr(0, mark), {}, {}};
-  std::size_t begin = mark + 1;
-  while (true) {
-    const std::size_t comma = text.find(',', begin);
-    const std::string entry = text.substr(begin, comma - begin);
-    if (is_name(entry))
+  InputName name{text.substr(0, mark), {}, {}, text.substr(mark + 1)};
+  const bool named = is_name(name.list);
+  for (std::size_t begin = 0, comma = 0; comma != std::string::npos; begin = comma + 1) {
+    comma = name.list.find(',', begin);
+    const std::string entry = name.list.substr(begin, comma - begin);
+    if (is_name(entry) || (named && !is_face_range(entry)))
       name.words.push_back(entry);
     else
       name.faces.push_back(face_range(entry, text));
-    if (comma == std::string::npos) return name;
-    begin = comma + 1;
   }
+  return name;
 }
 
 void refuse_special(const std::filesystem::path& file) {
@@ -172,7 +188,7 @@ void refuse_special(const std::filesystem::path& file) {
 }
 
 Input read_input(const std::string& text, Faces need, Repair repair, Loose loose) {
-  const InputName name = parse_input(text);
+  InputName name = parse_input(text);
   if (nets::is_net_file(name.file) && cli::exists(name.file))
     throw occt::BadModel(name.file.string() +
                          ": is of nets (.json), which subdivide and convert take alone; "
@@ -185,6 +201,7 @@ Input read_input(const std::string& text, Faces need, Repair repair, Loose loose
   Input input{text, model, *model};
   if (loose == Loose::Sewn || !name.words.empty() || reading_policy().sew)
     sew(name.file, *model, input);
+  if (!name.words.empty()) name = with_whole_names(std::move(name), text, *model);
   input.shape = model->shape();
   input.numbers = chosen_numbers(name, model->face_count(), need);
   if (!name.words.empty()) select(name, need, input);
@@ -195,6 +212,30 @@ Input read_input(const std::string& text, Faces need, Repair repair, Loose loose
                                   : model->repair(input.numbers, stop_if_interrupted);
   tell(input.repairs, name.file);
   return input;
+}
+
+std::string other_parts_text(const Input& input, const std::string& fate) {
+  const std::set<int> named(input.numbers.begin(), input.numbers.end());
+  std::size_t others = 0;
+  const auto look = [&](const occt::AssemblyNode& node, const auto& self) -> void {
+    if (!node.faces.empty() &&
+        std::ranges::none_of(node.faces, [&](int face) { return named.contains(face); }))
+      ++others;
+    for (const occt::AssemblyNode& part : node.parts) self(part, self);
+  };
+  for (const occt::AssemblyNode& root : input.model.assembly()) look(root, look);
+  if (others == 0) return {};
+  return "  " + counted(others, "other part") + (others == 1 ? " is " : " are ") + fate + "\n";
+}
+
+bool is_of_solids(const Input& input) {
+  if (static_cast<int>(input.numbers.size()) == input.model.face_count()) return true;
+  TopTools_IndexedMapOfShape solids, bounding;
+  TopExp::MapShapes(input.model.shape(), TopAbs_SOLID, solids);
+  for (const int number : input.solids) TopExp::MapShapes(solids(number), TopAbs_FACE, bounding);
+  return !input.solids.empty() && std::ranges::all_of(input.faces, [&](const TopoDS_Face& face) {
+    return bounding.Contains(face);
+  });
 }
 
 std::string FaceLabels::of(int number) const {

@@ -21,13 +21,14 @@ struct InputName {
   std::vector<std::pair<int, int>> faces;  ///< first and last number of each range, 1-based
   std::vector<std::string> words{};        ///< that name parts, faces, solids or edges, see
                                            ///< `selection_of`
+  std::string list{};                      ///< both of them, as they were written
 
   bool is_whole() const { return faces.empty() && words.empty(); }
 };
 
 /// Takes `FILE`, `FILE#3,5-9`, `FILE#Shaft` or `FILE#Shaft/Face3,solid:2` apart. A file that is
-/// really called so wins.
-/// throws   UsageError if an entry after the last '#' is empty, or a bad number
+/// really called so wins. Names with commas are in pieces, see `words_in`.
+/// throws   UsageError if an entry after the last '#' is empty, or a bad number and none of a name
 InputName parse_input(const std::string& text);
 
 /// Opening such a file might wait for ever.
@@ -56,6 +57,14 @@ enum class Loose { Kept, Sewn };
 ///          what is named does not exist
 Input read_input(const std::string& text, Faces need = Faces::Required,
                  Repair repair = Repair::Used, Loose loose = Loose::Sewn);
+
+/// What becomes of the parts that an input does not name: "5 other parts are written as they were".
+/// Empty if there is none.
+/// fate   "written as they were"
+std::string other_parts_text(const Input& input, const std::string& fate);
+
+/// Whether all that an input means is solids, or all of a model.
+bool is_of_solids(const Input& input);
 
 /// Faces as results name them: "face 12 (Bolt)", the part's name if it has one.
 class FaceLabels {

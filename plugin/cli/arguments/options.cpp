@@ -16,6 +16,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "adapters/occt/base/errors.h"
+#include "plugin/cli/arguments/hidden.h"
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/exit_code.h"
@@ -123,9 +124,14 @@ std::vector<std::string> form_words() {
   return words;
 }
 
+void share(CLI::App& command, const std::vector<std::string>& names) {
+  for (const std::string& name : names) command.get_option(name)->group(kShared);
+}
+
 }  // namespace
 
 void add_report_options(CLI::App& command, CommonOptions& options) {
+  options.command = &command;
   command.add_option("--json", options.json, "write a report; - is stdout")->type_name("FILE");
   command.add_flag("--strict", reading_policy().strict,
                    "refuse files of which shapes are missing or not as they are there");
@@ -156,11 +162,14 @@ void add_report_options(CLI::App& command, CommonOptions& options) {
   CLI::Option* const verbose =
       flag("-v,--verbose", "say more: what was repaired, and where", Verbosity::Verbose);
   flag("-q,--quiet", "say nothing but errors", Verbosity::Quiet)->excludes(verbose);
+  share(command, {"--json", "--strict", "--sew-gap", "--time-limit", "--log", "--profile",
+                  "--reproduce", "--verbose", "--quiet"});
 }
 
 void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output) {
   if (!output.empty()) command.add_option("-o,--output", options.output, output)->type_name("FILE");
   add_picture_options(command, options.picture, options.look);
+  share(command, {"--picture", "--html", "--glb", "--view", "--size"});
   add_report_options(command, options);
 }
 
@@ -175,7 +184,7 @@ void add_fail_on(CLI::App& command, CommonOptions& options) {
 }
 
 void add_engine_options(CLI::App& command, EngineOptions& options) {
-  command.add_option("--tolerance", options.tolerance, "what counts as one point, in model units")
+  command.add_option("--tolerance", options.tolerance, "what counts as one point, mm")
       ->check(positive_number())
       ->type_name("T")
       ->default_str(number_text(options.tolerance));
@@ -191,6 +200,8 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
       ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
+  share(command, {"--tolerance", "--budget", "--threads"});
+  command.get_option("--form")->group(kHidden);
 }
 
 IntersectionOptions intersection_options(const EngineOptions& options, Progress& progress) {
@@ -211,8 +222,19 @@ std::string ending_of(const std::string& file) {
   return lower_case(std::filesystem::path(file).extension());
 }
 
+void refuse_options(const CommonOptions& options, const std::vector<std::string>& names,
+                    const std::string& why) {
+  if (options.command == nullptr) return;
+  for (const std::string& name : names)
+    if (const CLI::Option* const option = options.command->get_option_no_throw(name);
+        option != nullptr && option->count() > 0)
+      throw UsageError(name + " does nothing here: " + why);
+}
+
 void check_files(const CommonOptions& options, const std::vector<std::string>& inputs,
                  Outputs outputs) {
+  if (options.picture.empty() && options.look.html.empty() && options.look.glb.empty())
+    refuse_options(options, {"--view", "--size"}, "there is no --picture, --html or --glb");
   reading_policy().looks = !options.output.empty() || !options.reproduce.empty();
   for (const std::string& input : inputs) refuse_special(parse_input(input).file);
   const std::vector<Output> wanted = wanted_outputs(options, outputs);

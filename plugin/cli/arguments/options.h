@@ -15,13 +15,14 @@
 namespace blossom::cli {
 
 struct CommonOptions {
-  std::string output;       ///< -o: a model file; empty for none
-  std::string json;         ///< --json: a file, or "-" for stdout; empty for none
-  std::string picture;      ///< --picture: a PNG file; empty for none
-  std::string table{};      ///< --table: a CSV file; empty for none
-  PictureLook look{};       ///< of the picture, and what else shows the result
-  std::string reproduce{};  ///< --reproduce: a folder, see reproduction.h
-  std::string fail_on;      ///< --fail-on: "findings"; empty for nothing
+  std::string output;                 ///< -o: a model file; empty for none
+  std::string json;                   ///< --json: a file, or "-" for stdout; empty for none
+  std::string picture;                ///< --picture: a PNG file; empty for none
+  std::string table{};                ///< --table: a CSV file; empty for none
+  PictureLook look{};                 ///< of the picture, and what else shows the result
+  std::string reproduce{};            ///< --reproduce: a folder, see reproduction.h
+  std::string fail_on;                ///< --fail-on: "findings"; empty for nothing
+  const CLI::App* command = nullptr;  ///< whose options these are
 };
 
 /// What an intersection may be told; for commands that intersect on their way, too.
@@ -31,6 +32,9 @@ struct EngineOptions {
   long budget = IntersectionOptions{}.budget;
   int threads = 0;
 };
+
+/// The group of help texts in which options are that many commands have, behind a command's own.
+inline constexpr const char* kShared = "Shared";
 
 /// What every command takes: --json, --strict, --time-limit, --verbose, --quiet. The second is
 /// known to reading.h, the third to supervision.h, the last two to verbosity.h.
@@ -72,6 +76,13 @@ std::string ending_of(const std::string& file);
 ///           folder or lies in a folder that cannot be written
 void check_files(const CommonOptions& options, const std::vector<std::string>& inputs,
                  Outputs outputs = Outputs::Models);
+
+/// Options that would do nothing are refused.
+/// names     those that do nothing here; ones that the command has not are let through
+/// why       "b.step is of surfaces"
+/// throws    UsageError if one of them is given: "--text does nothing here: b.step is of surfaces"
+void refuse_options(const CommonOptions& options, const std::vector<std::string>& names,
+                    const std::string& why);
 
 /// Whether a command that looks for something found any of it.
 enum class Findings { None, Some };

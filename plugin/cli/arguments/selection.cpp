@@ -57,6 +57,16 @@ class Selecting {
 
   const Selection& made() const { return made_; }
 
+  /// Whether it is a name of the model, or begins with one and goes on with a number.
+  bool is_called(const std::string& word) const {
+    if (!nodes_called(word).empty()) return true;
+    const std::size_t slash = word.rfind('/');
+    if (slash != std::string::npos && counted_in(word.substr(slash + 1)))
+      return !nodes_called(word.substr(0, slash)).empty();
+    const std::vector<std::string> names = model_.face_names();
+    return std::ranges::find(names, word) != names.end();
+  }
+
  private:
   [[noreturn]] void refuse(const std::string& why) const {
     throw occt::BadModel(model_.file().string() + ": " + why);
@@ -102,13 +112,15 @@ class Selecting {
   // That are called so by the whole way; else by the end of it, or by a name of their own.
   std::vector<const AssemblyNode*> nodes_called(const std::string& word) const {
     std::vector<const AssemblyNode*> exact, others;
-    const auto look = [&](const AssemblyNode& node, const auto& self) -> void {
-      if (node.path == word) exact.push_back(&node);
-      if (node.name == word || node.product == word || node.path.ends_with("/" + word))
+    // way   from the whole model, which paths leave out
+    const auto look = [&](const AssemblyNode& node, const std::string& way,
+                          const auto& self) -> void {
+      if (node.path == word || way == word) exact.push_back(&node);
+      if (node.name == word || node.product == word || way.ends_with("/" + word))
         others.push_back(&node);
-      for (const AssemblyNode& part : node.parts) self(part, self);
+      for (const AssemblyNode& part : node.parts) self(part, way + "/" + part.name, self);
     };
-    for (const AssemblyNode& root : tree_) look(root, look);
+    for (const AssemblyNode& root : tree_) look(root, root.name, look);
     return exact.empty() ? others : exact;
   }
 
@@ -154,26 +166,37 @@ class Selecting {
     return any;
   }
 
+  // The parts that the model consists of; of an assembly those of its first level.
+  std::vector<std::string> names_of_parts() const {
+    const bool assembly = tree_.size() == 1 && !tree_.front().parts.empty();
+    std::vector<std::string> names;
+    for (const AssemblyNode& part : assembly ? tree_.front().parts : tree_)
+      add_name(part.name.empty() ? part.product : part.name, names);
+    return names;
+  }
+
+  static void add_name(const std::string& name, std::vector<std::string>& names) {
+    if (!given_name(name).empty() && std::ranges::find(names, name) == names.end())
+      names.push_back(name);
+  }
+
   [[noreturn]] void refuse_name(const std::string& word) const {
     constexpr std::size_t kMaxNames = 5;  // names in a message
-    std::vector<std::string> parts, all;
-    const auto add_to = [](const std::string& name, std::vector<std::string>& list) {
-      if (!given_name(name).empty() && std::ranges::find(list, name) == list.end())
-        list.push_back(name);
-    };
+    std::vector<std::string> all;
     const auto look = [&](const AssemblyNode& node, const auto& self) -> void {
-      for (const std::string* name : {&node.name, &node.product, &node.path}) add_to(*name, all);
-      if (node.parts.empty()) add_to(node.name.empty() ? node.product : node.name, parts);
+      for (const std::string* name : {&node.name, &node.product, &node.path}) add_name(*name, all);
       for (const AssemblyNode& part : node.parts) self(part, self);
     };
     for (const AssemblyNode& root : tree_) look(root, look);
-    for (const std::string& name : model_.face_names()) add_to(name, all);
+    for (const std::string& name : model_.face_names()) add_name(name, all);
     const std::string near = nearest_word(word, all);
-    std::string text = "there is no part and no face '" + word + "' in it";
+    const std::string text = "there is no part and no face '" + word + "' in it";
     if (!near.empty()) refuse(text + "; did you mean '" + near + "'?");
+    std::vector<std::string> parts = names_of_parts();
     if (parts.empty()) refuse(text + "; its parts have no names");
     const bool more = parts.size() > kMaxNames;
     parts.resize(std::min(parts.size(), kMaxNames));
+    for (std::string& name : parts) name = "'" + name + "'";
     refuse(text + "; there " + (parts.size() == 1 ? "is " : "are ") + listed(parts, "and") +
            (more ? "; info --tree lists all" : ""));
   }
@@ -190,6 +213,28 @@ Selection selection_of(const occt::Model& model, const std::vector<std::string>&
   Selecting selecting(model);
   for (const std::string& word : words) selecting.add(word);
   return selecting.made();
+}
+
+std::vector<std::string> words_in(const occt::Model& model, const std::string& list) {
+  const Selecting names(model);
+  std::vector<std::string> entries, words;
+  for (std::size_t begin = 0, comma = 0; comma != std::string::npos; begin = comma + 1) {
+    comma = list.find(',', begin);
+    entries.push_back(list.substr(begin, comma - begin));
+  }
+  for (std::size_t i = 0; i < entries.size();) {
+    std::string word = entries[i], longer = word;
+    std::size_t next = i + 1;
+    for (std::size_t j = i + 1; j < entries.size(); ++j) {
+      longer += "," + entries[j];
+      if (!names.is_called(longer)) continue;
+      word = longer;
+      next = j + 1;
+    }
+    words.push_back(word);
+    i = next;
+  }
+  return words;
 }
 
 }  // namespace blossom::cli

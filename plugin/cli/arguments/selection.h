@@ -21,7 +21,8 @@ struct Selection {
 /// What words mean in a model:
 ///
 ///   Shaft, machine:1/Shaft   a part: its own name, that of an instance, or the way to it, as a
-///                            whole or from some instance on; all that are called so
+///                            whole, with the name of the whole model before it or not, or from
+///                            some instance on; all that are called so
 ///   Shaft/Face3, /Edge3, /Solid3   the third one of each such part
 ///   part:12                  a part with a name that is a number
 ///   face:3, solid:2, edge:12       by the numbers of `info`
@@ -31,5 +32,9 @@ struct Selection {
 /// throws   occt::BadModel, with the nearest names, if there is none; UsageError if a number is
 /// none
 Selection selection_of(const occt::Model& model, const std::vector<std::string>& words);
+
+/// The words of a list between commas; what the model calls by a name with commas, such as
+/// "Gear, big" or "Gear, big/Face3", is one word.
+std::vector<std::string> words_in(const occt::Model& model, const std::string& list);
 
 }  // namespace blossom::cli

@@ -241,9 +241,20 @@ std::string unknown_word(const CLI::App& command, const std::vector<std::string>
                                                   : too_many_inputs(command, extras.front());
 }
 
+// Whether words behind -- are left over as --each has more than a pattern: files, of which the
+// shell makes a pattern that is not in quotes.
+bool is_pattern_without_quotes(const CLI::App& command) {
+  const CLI::Option* const each = command.get_option_no_throw("--each");
+  const CLI::Option* const jobs = command.get_option_no_throw("jobs");
+  return each != nullptr && each->count() > 0 && jobs != nullptr && jobs->count() > 0;
+}
+
 }  // namespace
 
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
+  if (!app.remaining().empty() && is_pattern_without_quotes(chosen_command(app)))
+    return "--each takes one pattern, and the shell has made names of files of it; put it in "
+           "quotes: --each '*.step'";
   const CLI::App& command = refusing_command(app);
   const std::string message = error.what();
   const std::vector<std::string> extras = command.remaining();

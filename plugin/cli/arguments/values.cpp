@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -84,6 +85,20 @@ CLI::Validator whole_number(long from, long to) {
                   const std::optional<long> value = whole_value(text);
                   return value && *value >= from && *value <= to;
                 });
+}
+
+CLI::Option* add_angle(CLI::App& command, const std::string& name, double& radians,
+                       const std::string& what) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const auto take = [&radians](const double& degrees) { radians = degrees * kDegree; };
+  return command.add_option_function<double>(name, take, what + "; degrees")
+      ->check(taking("degrees, more than 0 and at most 180",
+                     [](const std::string& text) {
+                       const std::optional<double> value = finite_value(text);
+                       return value && *value > 0 && *value <= 180;
+                     }))
+      ->default_str(number_text(rounded(radians / kDegree)))
+      ->type_name("DEG");
 }
 
 void limit_to(CLI::Option& option, const std::vector<std::string>& words) {

@@ -29,6 +29,12 @@ CLI::Validator finite_number();
 
 CLI::Validator whole_number(long from, long to);
 
+/// An option that takes degrees, more than 0 and at most 180, for an angle in radians: so do all
+/// angles of the command line.
+/// what   for the help text, which shows the value that `radians` has as the default
+CLI::Option* add_angle(CLI::App& command, const std::string& name, double& radians,
+                       const std::string& what);
+
 /// Limits an option to some words, which its help shows as "{cut,common,split}".
 void limit_to(CLI::Option& option, const std::vector<std::string>& words);
 

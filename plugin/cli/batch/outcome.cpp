@@ -13,6 +13,12 @@ namespace {
 constexpr std::string_view kProgramName = "blossom: ";  // before what explains an exit code
 constexpr JobStatus kStatuses[] = {JobStatus::Done, JobStatus::Stopped, JobStatus::Failed};
 
+// Why a job was stopped that said nothing about it: the first reason of its report.
+std::string reason_in(const Json& line) {
+  const Json reasons = line.value(Json::json_pointer("/report/certificate/reasons"), Json::array());
+  return reasons.empty() ? "a limit was reached" : reasons.front().get<std::string>();
+}
+
 Json lines_of(const std::string& text) {
   Json lines = Json::array();
   std::istringstream in(text);
@@ -65,6 +71,8 @@ Result parse_result(const std::string& line, const std::string& place) try {
   for (const Json& message : json.at("messages"))
     if (const std::string text = message; text.starts_with(kProgramName))
       result.message = text.substr(kProgramName.size());
+  if (result.message.empty() && result.status == JobStatus::Stopped)
+    result.message = reason_in(json);
   return result;
 } catch (const std::exception&) {
   throw UsageError(place + ": is no result of a batch");

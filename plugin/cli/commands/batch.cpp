@@ -112,7 +112,8 @@ std::vector<std::size_t> open_jobs(JobList& list, const std::vector<Result>& kno
     if (found == by_id.end())
       open.push_back(i);
     else if (found->second->arguments != hash_of(job.arguments))
-      throw UsageError(file + ": the result of the job '" + job.id + "' is of other arguments");
+      throw UsageError(file + ": the result of the job '" + job.id +
+                       "' is of other arguments; take another file for -o");
     else
       tally.add(*found->second);
   }
@@ -191,7 +192,8 @@ void add_saying(CLI::App& command) {
 }  // namespace
 
 void add_batch(CLI::App& app, int& exit_code) {
-  CLI::App* const command = app.add_subcommand("batch", "many commands, each in its own process");
+  CLI::App* const command = app.add_subcommand(
+      "batch", "many commands, or one on many files, each in a process of its own");
   const auto options = std::make_shared<BatchCommand>();
   command
       ->add_option("jobs", options->words,

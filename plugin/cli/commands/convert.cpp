@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ namespace {
 
 using Form = nets::TargetForm;
 
-constexpr double kCrease = 0.7;  // radians, 40 degrees: what most programs smooth over
+constexpr double kCrease = 40 * std::numbers::pi / 180;  // what most programs smooth over
 
 struct ConvertCommand {
   std::string input;
@@ -45,6 +46,7 @@ struct ConvertCommand {
 // What was made, and what was repaired for it.
 struct Made : nets::Conversion {
   Json repairs = Json::array();
+  std::string others;  // says what becomes of parts that are not named
 };
 
 Made write_as_it_is(const ConvertCommand& options) {
@@ -53,6 +55,7 @@ Made write_as_it_is(const ConvertCommand& options) {
   Made made;
   made.faces = input.faces.size();
   made.repairs.push_back(repairs_json(input));
+  made.others = other_parts_text(input, "left out");
   drop_other_faces(input);
   stop_if_interrupted();
   write_model(input.model, options.common.output);
@@ -66,6 +69,7 @@ Made write_converted(const ConvertCommand& options, Form form) {
     static_cast<nets::Conversion&>(made) = nets::converted_faces(
         *input.model, input.nets, form, options.tolerance, stop_if_interrupted);
     made.repairs.push_back(repairs_json(*input.model));
+    made.others = other_parts_text(*input.model, "left out");
   } else {
     static_cast<nets::Conversion&>(made) = nets::converted(input.nets, form, stop_if_interrupted);
   }
@@ -101,8 +105,30 @@ std::string summary(const ConvertCommand& options, const Made& made) {
   return text.str();
 }
 
+// What shapes triangles, and what does so to patches.
+const std::vector<std::string> kOfTriangles{"--deviation", "--angle", "--edge-length", "--aspect"};
+
+bool is_text_or_binary(const std::string& file) {
+  const std::string ending = ending_of(file);
+  return ending == ".stl" || ending == ".ply";
+}
+
+void refuse_idle_options(const ConvertCommand& options) {
+  const std::string& out = options.common.output;
+  const bool mesh = is_mesh_input(options.input), flat = is_of_triangles(out);
+  if (mesh) refuse_options(options.common, kOfTriangles, options.input + " is of triangles");
+  if (!flat) refuse_options(options.common, kOfTriangles, out + " is not of flat triangles");
+  if (!is_text_or_binary(out))
+    refuse_options(options.common, {"--text"}, out + " is not .stl and not .ply");
+  if (!mesh) refuse_options(options.common, {"--crease"}, options.input + " is not of triangles");
+  if (flat) refuse_options(options.common, {"--crease"}, out + " is of flat triangles");
+  if (mesh || options.to.empty())
+    refuse_options(options.common, {"--tolerance"}, "it is of surfaces in another form (--to)");
+}
+
 int run(const ConvertCommand& options) {
   check_files(options.common, {options.input}, Outputs::ModelsNetsAndTriangles);
+  refuse_idle_options(options);
   if (is_mesh_input(options.input))
     return run_conversion_of_mesh(options.input, options.common,
                                   {options.to, options.crease, options.mesh.text});
@@ -120,7 +146,7 @@ int run(const ConvertCommand& options) {
   const Made made = form == Form::AsItIs && !from_nets && !to_nets ? write_as_it_is(options)
                                                                    : write_converted(options, form);
   if (!options.common.json.empty()) write_json(report_of(options, made), options.common.json);
-  print_summary(summary(options, made), options.common.json);
+  print_summary(summary(options, made) + made.others, options.common.json);
   return kExitComplete;
 }
 
@@ -149,18 +175,14 @@ void add_convert(CLI::App& app, int& exit_code) {
            {"bezier", "monomial", "triangles"});
   command
       ->add_option("--tolerance", options->tolerance,
-                   "how far pieces may end from trims that they cannot follow exactly, model units")
+                   "how far pieces may end from trims that they cannot follow exactly, mm")
       ->check(positive_number())
       ->default_str(number_text(options->tolerance))
       ->type_name("T");
   add_mesh_options(*command, options->mesh);
-  command
-      ->add_option("--crease", options->crease,
-                   "of a file of triangles, --to triangles or bezier: sides at which neighbours "
-                   "turn by so much stay sharp, radians")
-      ->check(positive_number())
-      ->default_str(number_text(options->crease))
-      ->type_name("A");
+  add_angle(*command, "--crease", options->crease,
+            "of a file of triangles, --to triangles or bezier: sides at which neighbours turn by "
+            "so much stay sharp");
   add_report_options(*command, options->common);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -100,9 +100,6 @@ std::string info_text(const Input& input, const ModelFacts& facts) {
   text << "\n  tolerances: " << facts.least_tolerance << " to " << facts.largest_tolerance << "\n  "
        << (facts.valid ? "valid" : "NOT VALID") << ", file in "
        << unit_text(input.model.file_unit()) << "\n";
-  if (!facts.faces.empty())
-    text << "  face  surface    form" << std::string(38, ' ') << "tolerance validity, name\n";
-  for (const FaceFacts& face : facts.faces) text << face_line(face);
   return text.str();
 }
 
@@ -126,9 +123,18 @@ Picture info_picture(const Input& input, const ModelFacts& facts) {
   return picture;
 }
 
+// Faces that are not valid, or all of them.
+std::string faces_text(const ModelFacts& facts, bool all) {
+  std::string text;
+  for (const FaceFacts& face : facts.faces)
+    if (all || !face.problems.empty()) text += face_line(face);
+  if (text.empty()) return text;
+  return "  face  surface    form" + std::string(38, ' ') + "tolerance validity, name\n" + text;
+}
+
 struct InfoCommand {
   std::vector<std::string> inputs;
-  bool edges = false, tree = false;
+  bool faces = false, edges = false, tree = false;
   CommonOptions common;
 };
 
@@ -178,9 +184,10 @@ int run(const InfoCommand& options) {
   write_pictures(pictures);
   const std::string& json = options.common.json;
   Json report = reports::info_report(input, facts);
-  std::string text = info_text(input, facts);
+  std::string text = info_text(input, facts) +
+                     faces_text(facts, options.faces || verbosity() == Verbosity::Verbose);
   if (options.edges) {
-    const EdgeList edges = edge_list(input.model.shape());
+    const EdgeList edges = edge_list(input);
     report["edges"] = edges.json;
     text += edges.text;
   }
@@ -197,16 +204,19 @@ int run(const InfoCommand& options) {
 }  // namespace
 
 void add_info(CLI::App& app, int& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("info", "faces by surface type, degrees, spans, tolerances, validity");
+  CLI::App* const command = app.add_subcommand(
+      "info", "what a model has: solids, faces, surfaces, size, unit, validity; parts and edges");
   const auto options = std::make_shared<InfoCommand>();
   command->add_option("input", options->inputs, "model, or some of its faces; or many models")
       ->required()
       ->type_name("FILE");
+  command->add_flag("--faces", options->faces,
+                    "list all faces, not only those that are not valid: number, surface, degrees, "
+                    "spans, tolerance; -v their parameters, too");
   command->add_flag("--tree", options->tree,
                     "list parts and assemblies, too: names, numbers of solids and faces");
   command->add_flag("--edges", options->edges,
-                    "list all edges of the model, too: faces, kind, angle, length, middle");
+                    "list the edges, too: faces, kind, angle, length, middle");
   add_table(*command, options->common, "each model");
   add_common_options(*command, options->common, "");
   command->callback([options, command, &exit_code] {

@@ -138,8 +138,9 @@ int run(const SubdivideCommand& options) {
 }  // namespace
 
 void add_subdivide(CLI::App& app, int& exit_code) {
-  CLI::App* const command =
-      app.add_subcommand("subdivide", "sub-curves, sub-patches, sub-triangles by blossoms");
+  CLI::App* const command = app.add_subcommand(
+      "subdivide",
+      "faces and edges as Bezier pieces, whole, in part or halved: sub-patches by blossoms");
   const auto options = std::make_shared<SubdivideCommand>();
   command->add_option("input", options->input, "model, nets (.json), or some faces or nets")
       ->required()

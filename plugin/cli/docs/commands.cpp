@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/docs/commands.h"
 
+#include <algorithm>
+
+#include "plugin/cli/arguments/hidden.h"
+#include "plugin/cli/arguments/options.h"
+
 namespace blossom::cli {
 
 std::vector<const CLI::App*> subcommands(const CLI::App& command) {
@@ -20,7 +25,12 @@ std::string called(const CLI::App& command, const std::string& between) {
 }
 
 std::vector<const CLI::Option*> options(const CLI::App& command) {
-  return command.get_options([](const CLI::Option* option) { return option->nonpositional(); });
+  auto found = command.get_options([](const CLI::Option* option) {
+    return option->nonpositional() && option->get_group() != kHidden;
+  });
+  std::ranges::stable_partition(
+      found, [](const CLI::Option* option) { return option->get_group() != kShared; });
+  return found;
 }
 
 std::vector<const CLI::Option*> arguments(const CLI::App& command) {

@@ -90,7 +90,8 @@ std::string man_page(const CLI::App& command) {
     page << ".SH COMMANDS\n";
     add_subcommands(page, command);
   }
-  if (!command.get_footer().empty()) page << ".SH NOTES\n" << roff(command.get_footer()) << '\n';
+  if (!command.get_footer().empty())
+    page << ".SH NOTES\n.nf\n" << roff(command.get_footer()) << "\n.fi\n";
   add_see_also(page, command);
   return page.str();
 }

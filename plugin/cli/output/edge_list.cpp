@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iomanip>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "adapters/occt/edge_facts.h"
@@ -35,8 +36,12 @@ std::string edge_line(const occt::EdgeFacts& edge) {
 
 }  // namespace
 
-EdgeList edge_list(const TopoDS_Shape& shape) {
-  const std::vector<occt::EdgeFacts> edges = occt::edge_facts(shape);
+EdgeList edge_list(const reports::Input& input) {
+  std::vector<occt::EdgeFacts> edges = occt::edge_facts(input.model.shape());
+  if (static_cast<int>(input.numbers.size()) < input.model.face_count()) {
+    const std::set<int> own = reports::edge_numbers(input);
+    std::erase_if(edges, [&](const occt::EdgeFacts& edge) { return !own.contains(edge.number); });
+  }
   EdgeList list{reports::edges_json(edges),
                 "  edge  faces        kind      angle°       length       middle\n"};
   for (const occt::EdgeFacts& edge : edges) list.text += edge_line(edge);

@@ -5,9 +5,8 @@
 
 #include <string>
 
-#include <TopoDS_Shape.hxx>
-
 #include "plugin/cli/output/output.h"
+#include "plugin/reports/models/input.h"
 
 namespace blossom::cli {
 
@@ -17,6 +16,7 @@ struct EdgeList {
   std::string text;  ///< a table with a line for each
 };
 
-EdgeList edge_list(const TopoDS_Shape& shape);
+/// Of what the input names; the numbers are those of the whole model.
+EdgeList edge_list(const reports::Input& input);
 
 }  // namespace blossom::cli

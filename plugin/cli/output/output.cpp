@@ -15,6 +15,8 @@ namespace blossom::cli {
 
 namespace {
 
+bool file_unwritten = false;
+
 bool is_stdout(const std::string& target) { return target == "-" || target == "/dev/stdout"; }
 
 }  // namespace
@@ -63,6 +65,9 @@ void tell_unwritten(const std::string& file, const std::string& reason) {
             << (std::filesystem::exists(file, ignored)
                     ? "; the file of that name is an older one, left as it was\n"
                     : "\n");
+  file_unwritten = true;
 }
+
+bool is_file_unwritten() { return file_unwritten; }
 
 }  // namespace blossom::cli

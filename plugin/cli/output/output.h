@@ -37,7 +37,10 @@ bool is_stream(const std::string& target);
 void print_summary(const std::string& text, const std::string& json);
 
 /// Says on stderr that a file is not written and why; if there is a file of that name, that it is
-/// an older one.
+/// an older one. The program's exit code is then that of exit_code_unwritten.
 void tell_unwritten(const std::string& file, const std::string& reason);
+
+/// Whether any was told.
+bool is_file_unwritten();
 
 }  // namespace blossom::cli

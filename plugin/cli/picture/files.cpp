@@ -9,6 +9,7 @@
 #include "plugin/cli/page/page.h"
 #include "plugin/cli/picture/drawing.h"
 #include "plugin/cli/picture/scene.h"
+#include "plugin/cli/process/supervision.h"
 #include "plugin/reports/text/json.h"
 
 namespace blossom::cli {
@@ -34,6 +35,7 @@ std::vector<PictureFile> picture_files(const CommonOptions& options,
                                        const std::function<Picture()>& make) {
   std::vector<PictureFile> files;
   if (picture_names(options).empty()) return files;
+  enter(Phase::Working, "drawing pictures");
   Picture picture = make();
   picture.view = options.look.view;
   picture.width = options.look.width;
@@ -47,7 +49,10 @@ std::vector<PictureFile> picture_files(const CommonOptions& options,
 }
 
 void write_pictures(const std::vector<PictureFile>& files) {
-  for (const PictureFile& made : files) occt::write_text(made.bytes, made.file);
+  for (const PictureFile& made : files) {
+    enter(Phase::Writing, made.file);
+    occt::write_text(made.bytes, made.file);
+  }
 }
 
 }  // namespace blossom::cli

@@ -193,6 +193,12 @@ Json json_of(const ManyFiles& files, std::vector<FileRun>& runs, int code) {
   return json;
 }
 
+// An error that begins with the file's name, which is told already.
+std::string without_name(const std::string& error, const std::string& file) {
+  const std::string name = file + ": ";
+  return error.starts_with(name) ? error.substr(name.size()) : error;
+}
+
 }  // namespace
 
 bool are_many(const std::vector<std::string>& inputs, const CommonOptions& common) {
@@ -201,9 +207,12 @@ bool are_many(const std::vector<std::string>& inputs, const CommonOptions& commo
 
 int run_many(const ManyFiles& files) {
   const CommonOptions& common = files.common;
-  if (files.inputs.size() > 1 && !(common.output.empty() && picture_names(common).empty()))
-    throw UsageError("--output, --picture, --html and --glb are for one file, not for " +
-                     std::to_string(files.inputs.size()));
+  if (files.inputs.size() > 1)
+    for (const char* const name : {"--output", "--picture", "--html", "--glb"})
+      if (const CLI::Option* const option = files.command->get_option_no_throw(name);
+          option != nullptr && option->count() > 0)
+        throw UsageError(std::string(name) + " is for one file, not for " +
+                         std::to_string(files.inputs.size()));
   check_files(common, files.inputs);
   const std::vector<std::string> options = given_options(*files.command);
   std::vector<FileRun> runs;
@@ -212,7 +221,8 @@ int run_many(const ManyFiles& files) {
     enter(Phase::Working, "working on " + input);
     const FileRun& run = runs.emplace_back(run_on(input, files, options));
     if (place_of(run.code) < place_of(code)) code = run.code;
-    const std::string words = run.report.is_null() ? run.error : files.words(run.report);
+    const std::string words =
+        run.report.is_null() ? without_name(run.error, input) : files.words(run.report);
     print_summary(input + ": " + words + "\n", common.json);
   }
   stop_if_interrupted();

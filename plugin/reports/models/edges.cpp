@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/reports/models/edges.h"
 
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
 namespace blossom::reports {
+
+std::set<int> edge_numbers(const Input& input) {
+  TopTools_IndexedMapOfShape all, own;
+  TopExp::MapShapes(input.model.shape(), TopAbs_EDGE, all);
+  for (const TopoDS_Face& face : input.faces) TopExp::MapShapes(face, TopAbs_EDGE, own);
+  std::set<int> numbers(input.edges.begin(), input.edges.end());
+  for (int i = 1; i <= own.Extent(); ++i)
+    if (const int number = all.FindIndex(own(i)); number > 0) numbers.insert(number);
+  return numbers;
+}
 
 Json edges_json(const std::vector<occt::EdgeFacts>& edges) {
   Json list = Json::array();

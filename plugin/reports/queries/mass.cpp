@@ -44,14 +44,20 @@ MassAnswer masses_of(const Input& input, const WorkLimit& limit) {
   return answer;
 }
 
-Json mass_report(const Input& input, const MassAnswer& answer) {
+double kilograms(double volume, double density) { return volume * 1e-9 * density; }
+
+Json mass_report(const Input& input, const MassAnswer& answer, double density) {
   Json report = {{"schema", "blossom.query/1"}, {"kind", "mass"},
                  {"file", input.name},          {"status", to_string(answer.status)},
                  {"seconds", answer.seconds},   {"total", nullptr},
                  {"parts", Json::array()}};
   for (const PartMass& part : answer.parts) {
-    report["parts"].push_back(part_json(part));
-    if (part.mass.is_solid) report["total"] = mass_json(answer.solids);
+    Json& json = report["parts"].emplace_back(part_json(part));
+    if (!part.mass.is_solid) continue;
+    report["total"] = mass_json(answer.solids);
+    if (density <= 0) continue;
+    json["mass"] = kilograms(part.mass.volume, density);
+    report["total"]["mass"] = kilograms(answer.solids.volume, density);
   }
   report["repairs"] = Json::array({repairs_json(input)});
   return report;

@@ -30,7 +30,11 @@ struct MassAnswer {
 /// throws   occt::BadModel if a face cannot be measured
 MassAnswer masses_of(const Input& input, const WorkLimit& limit);
 
+/// Of a volume in mm³, and a density in kg/m³.
+double kilograms(double volume, double density);
+
 /// Schema "blossom.query/1", kind "mass".
-Json mass_report(const Input& input, const MassAnswer& answer);
+/// density   kg/m³; 0: masses are not wanted
+Json mass_report(const Input& input, const MassAnswer& answer, double density = 0);
 
 }  // namespace blossom::reports

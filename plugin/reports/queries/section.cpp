@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/reports/queries/section.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "plugin/reports/cuts/intersection.h"
@@ -97,6 +98,14 @@ Json section_report(const Input& input, const occt::Plane& plane, double toleran
   add_section(section, input.numbers, ShapeNumbers(input.model.shape()), report);
   report["repairs"] = Json::array({repairs_json(input)});
   return report;
+}
+
+bool has_shape(const SectionsAnswer& answer) {
+  return std::ranges::any_of(answer.planes, [](const SectionsOfPlane& plane) {
+    return std::ranges::any_of(plane.parts, [](const PartSection& part) {
+      return !part.section.wires.empty() || !part.section.points.empty();
+    });
+  });
 }
 
 Json sections_report(const Input& input, const SectionsAnswer& answer) {

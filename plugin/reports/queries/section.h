@@ -43,6 +43,9 @@ struct SectionsAnswer {
   std::vector<SectionsOfPlane> planes;
 };
 
+/// Whether there is any wire or point, which a file could have.
+bool has_shape(const SectionsAnswer& answer);
+
 /// The whole object, schema "blossom.sections/1".
 Json sections_report(const Input& input, const SectionsAnswer& answer);
 

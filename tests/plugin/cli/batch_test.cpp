@@ -133,6 +133,16 @@ TEST_F(Batch, JobsThatAreStoppedLeaveWhatRepeatsThem) {
   EXPECT_FALSE(std::filesystem::exists(folder / "again {"));
 }
 
+TEST_F(Batch, TellsWhyJobsAreStopped) {
+  const Finished run =
+      blossom({"batch", "--each", folder / "bowl.brep", "-o", results, "--", "intersect", "{}",
+               folder / "lid.brep", "--budget", "1", "--json", "-"});
+  EXPECT_EQ(run.code, 4);
+  const std::string reason =
+      results_in(results).begin()->second["report"]["certificate"]["reasons"][0];
+  EXPECT_NE(run.out.find("bowl.brep: " + reason + "\n"), std::string::npos) << run.out;
+}
+
 TEST_F(Batch, TellsHowManyAreDoneButNotComplete) {
   testing::write({testing::bowl(), testing::lid(0.25)}, folder / "bowl.brep");
   const std::string whole = testing::text_of(folder / "bowl.brep");
@@ -212,7 +222,9 @@ TEST_F(Batch, AnotherCommandUnderTheSameNameIsRefused) {
   testing::write_text(jobs, R"({"id": "cut 1", "arguments": ["info", "bowl.brep"]})");
   const Finished run = blossom({"batch", jobs, "-o", results});
   EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("the result of the job 'cut 1' is of other arguments"), std::string::npos);
+  EXPECT_NE(
+      run.err.find("the result of the job 'cut 1' is of other arguments; take another file for -o"),
+      std::string::npos);
 }
 
 }  // namespace

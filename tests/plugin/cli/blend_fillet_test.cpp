@@ -131,7 +131,11 @@ TEST_F(BlendFillet, LeavesOutWhatHasNothingToRoundAndSaysSo) {
   EXPECT_EQ(report["refused"][0]["fault"], "nothing to round");
   EXPECT_EQ(report["written"], true);
   const std::string seam = std::to_string(report["refused"][0]["edge"].get<int>());
-  EXPECT_EQ(fillet({path("pin.step"), "--edge", seam, "--radius", "1"}).code, 1);
+  const Finished alone =
+      fillet({path("pin.step"), "--edge", seam, "--radius", "1", "-o", path("same.step")});
+  EXPECT_EQ(alone.code, 3) << alone.err;
+  EXPECT_NE(alone.out.find("the part is as it was"), std::string::npos) << alone.out;
+  EXPECT_TRUE(std::filesystem::exists(path("same.step")));
 
   const Finished all = fillet({path("pin.step"), "--edges", "all", "--radius", "1"});
   EXPECT_EQ(all.code, 0) << all.err;
@@ -278,7 +282,9 @@ TEST_F(BlendFillet, ReadsALawFromAFile) {
         R"({"law": "table", "at": [0.1, 1], "radii": [1, 2]})"}) {
     const Finished refused = rounded(law);
     EXPECT_EQ(refused.code, 2) << law << '\n' << refused.err;
-    EXPECT_NE(refused.err.find("--law: "), std::string::npos) << law << '\n' << refused.err;
+    EXPECT_NE(refused.err.find("--law " + path("law.json") + ": "), std::string::npos)
+        << law << '\n'
+        << refused.err;
   }
 }
 

@@ -93,8 +93,10 @@ TEST_F(CheckContinuityCommand, EdgesLessThanRequiredAreFindings) {
   EXPECT_EQ(code({"--fail-on", "findings"}), 0);
   EXPECT_EQ(code({"--require", "G1"}), 0);
   EXPECT_EQ(code({"--require", "G1", "--fail-on", "findings"}), 5);
-  EXPECT_EQ(code({"--require", "G1", "--angle", "2", "--fail-on", "findings"}), 0);
-  EXPECT_EQ(code({"--require", "G2", "--angle", "2", "--fail-on", "findings"}), 5);
+  EXPECT_EQ(code({"--require", "G1", "--angle", "91", "--fail-on", "findings"}), 0);
+  EXPECT_EQ(code({"--require", "G1", "--angle", "89", "--fail-on", "findings"}), 5);
+  EXPECT_EQ(code({"--require", "G2", "--angle", "91", "--fail-on", "findings"}), 5);
+  EXPECT_EQ(code({"--angle", "181"}), 2);
   const Finished run = blossom({"check", "--continuity", file, "--require", "G1"});
   EXPECT_TRUE(has(run, "less than G1: 2 edges, ")) << run.out;
 }

@@ -160,8 +160,8 @@ TEST_F(ConvertMesh, TakesFinerOptionsByTheirWord) {
   EXPECT_EQ(report("box.brep", "a.ply")["triangles"], 12);
   EXPECT_GT(report("box.brep", "b.ply", {"--edge-length", "0.1"})["triangles"], 1000);
   write(BRepPrimAPI_MakeCylinder(1, 1), "rod.brep");
-  EXPECT_LT(report("rod.brep", "c.ply", {"--deviation", "9", "--angle", "2"})["triangles"],
-            report("rod.brep", "d.ply", {"--deviation", "9", "--angle", "0.2"})["triangles"]);
+  EXPECT_LT(report("rod.brep", "c.ply", {"--deviation", "9", "--angle", "115"})["triangles"],
+            report("rod.brep", "d.ply", {"--deviation", "9", "--angle", "11.5"})["triangles"]);
 }
 
 TEST_F(ConvertMesh, NamesOpenEdgesOfSingleFaces) {

@@ -142,8 +142,9 @@ TEST(InfoCommand, BoxesFacesThatReachBeyondAllCorners) {
 TEST(InfoCommand, PrintsATableForPeople) {
   const testing::TestFolder folder;
   testing::write({testing::half_pipe()}, folder / "pipe.step");
-  const Finished run = blossom({"info", folder / "pipe.step"});
+  const Finished run = blossom({"info", folder / "pipe.step", "--faces"});
   ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(blossom({"info", folder / "pipe.step"}).out.find("degree"), std::string::npos);
   EXPECT_NE(run.out.find(", 1 face, "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("degree 3 x 1, spans 1 x 1, rational"), std::string::npos) << run.out;
   EXPECT_EQ(run.err, "");
@@ -181,6 +182,18 @@ TEST(Program, SaysItsVersionAndLicence) {
   for (const char* library :
        {"Open CASCADE 7.", "oneTBB 20", "Boost 1.", "CLI11 ", "JSON for Modern C++ 3.", "zlib 1."})
     EXPECT_NE(run.out.find(library), std::string::npos) << run.out;
+}
+
+TEST(Program, ShowsOptionsOfACommandBeforeThoseOfMany) {
+  const std::string help = blossom({"intersect", "--help"}).out;
+  const std::size_t own = help.find("--joined"), shared = help.find("Shared");
+  ASSERT_NE(own, std::string::npos);
+  ASSERT_NE(shared, std::string::npos);
+  EXPECT_LT(own, shared);
+  EXPECT_GT(help.find("--time-limit"), shared);
+  EXPECT_EQ(help.find("--form"), std::string::npos);
+  EXPECT_NE(help.find("Exit status"), std::string::npos);
+  EXPECT_EQ(help.find("model units"), std::string::npos);
 }
 
 TEST(Program, ShowsItsCommands) {

@@ -71,7 +71,7 @@ TEST_F(MeshConversions, MakeCurvedPatchesOfARegion) {
   write_text(path("a.off"), kBox);
   EXPECT_EQ(blossom({"convert", path("a.off"), "-o", path("b.step")}).code, 2);
   const nlohmann::json told =
-      report({"convert", path("a.off"), "-o", path("b.step"), "--to", "bezier", "--crease", "2"});
+      report({"convert", path("a.off"), "-o", path("b.step"), "--to", "bezier", "--crease", "115"});
   EXPECT_EQ(told["schema"], "blossom.mesh-patches/1");
   EXPECT_EQ(told["patches"], 30);
   EXPECT_EQ(told["sharp_sides"], 0);

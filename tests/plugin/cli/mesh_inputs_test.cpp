@@ -93,13 +93,17 @@ TEST_F(MeshInputs, AreToldToBeAPartOrNotWithinADistance) {
   ASSERT_EQ(
       blossom({"convert", path("rod.brep"), "-o", path("rod.stl"), "--deviation", "0.02"}).code, 0);
   const auto asked = [&](const char* part, const char* within) {
-    return blossom({"query", "distance", path("rod.stl"), path(part), "--within", within});
+    return blossom({"query", "distance", path("rod.stl"), path(part), "--within", within,
+                    "--fail-on", "findings"});
   };
   const Finished yes = asked("rod.brep", "0.05"), no = asked("thick.brep", "0.05");
   EXPECT_EQ(yes.code, 0) << yes.err;
   EXPECT_NE(yes.out.find("yes, they are within 0.05"), std::string::npos) << yes.out;
   EXPECT_EQ(no.code, 5) << no.err;
   EXPECT_NE(no.out.find("no, they are not within 0.05"), std::string::npos) << no.out;
+  EXPECT_EQ(
+      blossom({"query", "distance", path("rod.stl"), path("thick.brep"), "--within", "0.05"}).code,
+      0);
   const nlohmann::json found =
       report({"query", "distance", path("rod.stl"), path("thick.brep"), "--within", "0.2"});
   EXPECT_EQ(found["is_within"], true);

@@ -205,6 +205,34 @@ TEST_F(QueryPlanes, DrawsLinesCirclesAndArcsAsSuchInDxf) {
     }
 }
 
+TEST_F(QueryPlanes, CallsPartsAlikeInLayersOfAllPlanes) {
+  // The first plane meets one of the parts with a long name, the second both, and the step of one.
+  const std::string longest = "Getriebegehäuse, obere Hälfte, ";
+  occt::Model model;
+  model.add(BRepPrimAPI_MakeBox(gp_Pnt(20, 0, 4), 4, 4, 8).Shape(), longest + "links");
+  model.add(BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(10, 10, 5).Shape(),
+                             BRepPrimAPI_MakeBox(gp_Pnt(3, 3, 0), 4, 4, 12).Shape())
+                .Shape(),
+            longest + "rechts");
+  file_ = folder_ / "halves.step";
+  occt::write_model(model, file_);
+  const std::string out = folder_ / "halves.dxf";
+  ASSERT_EQ(run({"--offsets", "2:5:2", "-o", out}).code, 0);
+  const Dxf dxf = parsed(testing::text_of(out));
+  EXPECT_EQ(
+      std::set<std::string>(dxf.layers.begin(), dxf.layers.end()),
+      (std::set<std::string>{"0", "PLANE_1-Getriebegehaeuse_", "PLANE_2-Getriebegehaeuse_",
+                             "PLANE_2-Getriebegehaeuse_-inner", "PLANE_2-Getriebegehaeus_2"}));
+}
+
+TEST_F(QueryPlanes, KeepsPartsInTheModelOfOnePlane) {
+  const std::string out = folder_ / "one.step";
+  ASSERT_EQ(run({"--point", "0,0,1", "--normal", "0,0,1", "-o", out}).code, 0);
+  const std::string text = testing::text_of(out);
+  for (const char* name : {"'Plate'", "'Ball'"})
+    EXPECT_NE(text.find(name), std::string::npos) << name;
+}
+
 TEST_F(QueryPlanes, DrawsArcsCounterClockwiseFromTheirStart) {
   // Through the hole and the corner of the plate stands half a disc: half a circle and lines.
   const TopoDS_Shape disc =
@@ -285,9 +313,15 @@ TEST_F(QueryPlanes, ShowOfWhichPlaneAndPartACurveIs) {
 TEST_F(QueryPlanes, TellsWhereNothingIsMet) {
   const std::string out = folder_ / "none.step";
   const Finished made = run({"--offsets", "50:60:3", "-o", out});
-  EXPECT_EQ(made.code, 0);
+  EXPECT_EQ(made.code, 1);
   EXPECT_NE(made.out.find("plane 2, offset 55: 0 wires"), std::string::npos) << made.out;
   EXPECT_NE(made.err.find("is not written"), std::string::npos) << made.err;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(QueryPlanes, DrawNothingWhereNothingIsMet) {
+  const std::string out = folder_ / "none.dxf";
+  EXPECT_EQ(run({"--offsets", "50:60:3", "-o", out}).code, 1);
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 

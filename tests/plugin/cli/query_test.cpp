@@ -79,7 +79,7 @@ TEST_F(QueryCommand, TellsThatThereIsNoWireToWrite) {
   const std::string wires = folder_ / "wires.brep";
   const Finished run = blossom({"query", "plane", pot_, "--point", "0,0,9", "--normal", "0,0,1",
                                 "-o", wires, "--json", "-"});
-  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.code, 1);
   EXPECT_EQ(run.err, "blossom: " + wires + " is not written: no wire and no point was found\n");
   EXPECT_EQ(json::parse(run.out)["status"], "complete");
   EXPECT_FALSE(std::filesystem::exists(wires));
@@ -222,6 +222,25 @@ TEST_F(QueryOfSolids, KnowsThatABallInABoxMeetsIt) {
   const Finished turned = blossom({"query", "does-intersect", box_, ball_});
   EXPECT_NE(turned.out.find("yes, " + ball_ + " is inside " + box_), std::string::npos)
       << turned.out;
+}
+
+TEST_F(QueryOfSolids, MeetingModelsAreFindingsOnlyIfThatIsAsked) {
+  const auto code = [&](const std::string& other, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"query", "does-intersect", box_, other};
+    words.insert(words.end(), more.begin(), more.end());
+    return blossom(words).code;
+  };
+  const std::string far = (folder_ / "far.brep").string();
+  testing::write({testing::lid(100)}, far);
+  EXPECT_EQ(code(ball_, {}), 0);
+  EXPECT_EQ(code(ball_, {"--fail-on", "findings"}), 5);
+  EXPECT_EQ(code(far, {"--fail-on", "findings"}), 0);
+}
+
+TEST_F(QueryOfSolids, FindingsOfDistancesNeedAnAllowedOne) {
+  const Finished run = blossom({"query", "distance", box_, ball_, "--fail-on", "findings"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("--fail-on needs --within"), std::string::npos) << run.err;
 }
 
 TEST_F(QueryOfSolids, TellsTheDistanceOfBoundariesApart) {

@@ -111,6 +111,68 @@ TEST_F(Selectors, NameEdgesAndFacesOfBlends) {
             blossom({"blend", "strip", box + "#1", box + "#2", "--edge-a", "1"}).code);
 }
 
+TEST_F(Selectors, NamePartsWithCommasAndTheWholeModel) {
+  occt::Model model;
+  model.add_assembly({{"Gear, big", BRepPrimAPI_MakeBox(1, 1, 1).Shape()},
+                      {"Gear, 2", BRepPrimAPI_MakeBox(gp_Pnt(2, 0, 0), 1, 1, 1).Shape()},
+                      {"Gear", BRepPrimAPI_MakeBox(gp_Pnt(4, 0, 0), 1, 1, 1).Shape()}},
+                     "Box");
+  occt::write_model(model, folder_ / "gears.step");
+  file_ = folder_ / "gears.step";
+  EXPECT_EQ(faces_of("Gear, big").front(), 1);
+  EXPECT_EQ(faces_of("Gear, 2").front(), 7);
+  EXPECT_EQ(faces_of("Gear, big/Face2,Gear,7"), (std::vector{2, 7, 13, 14, 15, 16, 17, 18}));
+  EXPECT_EQ(faces_of("Box/Gear"), (std::vector{13, 14, 15, 16, 17, 18}));
+  const Finished none = blossom({"info", file_ + "#Pulley"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("there are 'Gear, big', 'Gear, 2' and 'Gear'"), std::string::npos)
+      << none.err;
+  EXPECT_EQ(blossom({"info", file_ + "#Gear, none"}).code, 2);
+  EXPECT_EQ(blossom({"info", file_ + "#1,Gear,x-3"}).code, 2);
+}
+
+TEST_F(Selectors, NamePartsOfWhichEdgesAreRounded) {
+  const json edges = report({"info", file_ + "#Lid", "--edges"})["edges"];
+  ASSERT_EQ(edges.size(), 12u);
+  const int first = edges[0]["number"];
+  EXPECT_GT(first, 12);
+  const std::string out = folder_ / "made.step", number = std::to_string(first);
+  const auto made = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"blend", "fillet", file_ + "#Lid", "-o", out};
+    all.insert(all.end(), words.begin(), words.end());
+    return blossom(all);
+  };
+  const Finished all = made({"--edges", "convex", "--radius", "0.2"});
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_NE(all.out.find("2 other parts are written as they were"), std::string::npos) << all.out;
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(occt::read_model(out).shape(), TopAbs_SOLID, solids);
+  EXPECT_EQ(solids.Extent(), 3);
+  EXPECT_EQ(report({"info", out})["counts"]["faces"], 6 + 3 + 26);
+  EXPECT_EQ(made({"--edges", number, "--radius", "0.2"}).code, 0);
+  EXPECT_EQ(made({"--edge", "Lid/Edge1:0.2"}).code, 0);
+  const Finished beside = made({"--edges", "1", "--radius", "0.2"});
+  EXPECT_EQ(beside.code, 2);
+  EXPECT_NE(beside.err.find("edge 1 is of another part"), std::string::npos) << beside.err;
+  const Finished face =
+      blossom({"blend", "chamfer", file_ + "#1", "--edges", "1", "--distance", "1"});
+  EXPECT_NE(face.err.find("chamfers are made in whole models and parts"), std::string::npos)
+      << face.err;
+}
+
+TEST_F(Selectors, SayWhatBecomesOfOtherParts) {
+  const Finished left = blossom({"convert", file_ + "#Lid", "-o", folder_ / "lid.step"});
+  EXPECT_NE(left.out.find("2 other parts are left out"), std::string::npos) << left.out;
+  const Finished mesh = blossom({"convert", file_ + "#Lid,Shaft", "-o", folder_ / "lid.stl"});
+  EXPECT_NE(mesh.out.find("1 other part is left out"), std::string::npos) << mesh.out;
+  const Finished kept = blossom({"trim", file_ + "#Lid", "--plane", "0,0,9.5,0,0,1", "--keep",
+                                 "below", "-o", folder_ / "kept.step"});
+  EXPECT_NE(kept.out.find("2 other parts are written as they were"), std::string::npos) << kept.out;
+  const Finished cut = blossom({"trim", file_ + "#Lid", "--plane", "0,0,9.5,0,0,1", "--solid",
+                                "cut", "-o", folder_ / "cut.step"});
+  EXPECT_NE(cut.out.find("2 other parts are left out"), std::string::npos) << cut.out;
+}
+
 TEST_F(Selectors, NameSolidsWithAnInside) {
   const json found = report({"query", "distance", file_ + "#Shaft", file_ + "#Lid"});
   EXPECT_NEAR(found["distance"][1], 3, 1e-9);
@@ -119,6 +181,16 @@ TEST_F(Selectors, NameSolidsWithAnInside) {
   EXPECT_EQ(meets["answer"], "yes");
   EXPECT_EQ(meets["pairs"][0]["a"]["solid"], 2);
   EXPECT_EQ(meets["pairs"][0]["b"]["solid"], 1);
+}
+
+TEST_F(Selectors, AreToldOfHitsAndPairs) {
+  const Finished ray =
+      blossom({"query", "ray", file_, "--from", "4,4,20", "--direction", "0,0,-1"});
+  EXPECT_NE(ray.out.find(" of Lid\n"), std::string::npos) << ray.out;
+  EXPECT_NE(ray.out.find(" of Plate\n"), std::string::npos) << ray.out;
+  write_unnamed(BRepPrimAPI_MakeBox(gp_Pnt(-9, -9, 1), 18, 18, 0.5).Shape(), folder_ / "cut.brep");
+  const Finished pair = blossom({"intersect", folder_ / "cut.brep", file_ + "#Plate"});
+  EXPECT_NE(pair.out.find("  face 5 x Plate, face "), std::string::npos) << pair.out;
 }
 
 TEST_F(Selectors, NameEdges) {
@@ -172,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(
     Words, BadSelectors,
     ::testing::Values(Refusal{"Shft",
                               "there is no part and no face 'Shft' in it; did you mean 'Shaft'?"},
-                      Refusal{"Turbine", "there are Plate, Shaft and Lid"},
+                      Refusal{"Turbine", "there are 'Plate', 'Shaft' and 'Lid'"},
                       Refusal{"Shaft/Face9", "there is no face 9 in 'Shaft', it has 3 faces"},
                       Refusal{"solid:4", "there is no solid 4 in it, it has 3 solids"},
                       Refusal{"edge:400", "there is no edge 400 in it"},

@@ -151,5 +151,56 @@ TEST(EveryCommand, IsSilentWithQuietAndTakesVerbose) {
   }
 }
 
+TEST(Usage, OptionsThatWouldDoNothingAreRefused) {
+  const testing::TestFolder folder;
+  const std::string pot = folder / "pot.brep", mesh = folder / "a.off", out = folder / "b.";
+  testing::write({testing::bowl()}, pot);
+  testing::write_text(mesh, "OFF\n3 1 0\n0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n");
+  const std::vector<std::vector<std::string>> cases{
+      {"convert", pot, "-o", out + "step", "--deviation", "1"},
+      {"convert", pot, "-o", out + "step", "--angle", "20"},
+      {"convert", pot, "-o", out + "step", "--text"},
+      {"convert", pot, "-o", out + "step", "--crease", "40"},
+      {"convert", pot, "-o", out + "step", "--tolerance", "1"},
+      {"convert", pot, "-o", out + "obj", "--text"},
+      {"convert", pot, "-o", out + "stl", "--crease", "40"},
+      {"convert", pot, "-o", out + "stl", "--tolerance", "1"},
+      {"convert", mesh, "-o", out + "ply", "--deviation", "1"},
+      {"check", pot, "--view", "top"},
+      {"check", pot, "--size", "200x200"},
+      {"check", mesh, "--deep"},
+      {"intersect", mesh, mesh, "--joined"},
+      {"intersect", mesh, mesh, "--tolerance", "1"},
+      {"query", "plane", mesh, "--point", "0,0,0", "--normal", "0,0,1", "--budget", "9"}};
+  for (const std::vector<std::string>& words : cases) {
+    const testing::Finished run = testing::blossom(words);
+    EXPECT_EQ(run.code, 2) << words[0] << " " << words.back();
+    EXPECT_NE(run.err.find(" does nothing here: "), std::string::npos) << run.err;
+  }
+}
+
+TEST(Usage, NamesWhatIsMeant) {
+  const testing::TestFolder folder;
+  const std::string pot = folder / "pot.brep", law = folder / "law.json";
+  testing::write({testing::bowl()}, pot);
+  testing::write_text(law, "[]");
+  const auto told = [](const std::vector<std::string>& words) {
+    return testing::blossom(words).err;
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  has(told({"batch", "--each", pot, pot, "-o", folder / "r.jsonl", "--", "info", "{}"}),
+      "quotes: --each '*.step'");
+  has(told({"check", pot, pot, "--picture", folder / "p.png"}), "--picture is for one file");
+  has(told({"trim", pot, pot, "--keep", "inside"}), pot + " is none");
+  has(told({"trim", pot, pot, "--solid", "union"}), "did you mean 'fuse'?");
+  has(told({"blend", "fillet", pot, "--edges", "1", "--law", law}), law);
+  const std::string none = folder / "none.step";
+  const std::string lines = testing::blossom({"info", pot, none}).out;
+  has(lines, none + ": ");
+  EXPECT_EQ(lines.find(none, lines.find(none) + 1), std::string::npos) << lines;
+}
+
 }  // namespace
 }  // namespace blossom

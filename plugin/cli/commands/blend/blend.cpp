@@ -164,7 +164,8 @@ void add_strip(CLI::App& blend, int& exit_code) {
 }  // namespace
 
 void add_blend(CLI::App& app, int& exit_code) {
-  CLI::App* const blend = app.add_subcommand("blend", "surfaces between surfaces");
+  CLI::App* const blend =
+      app.add_subcommand("blend", "rounds and cuts off edges, fills holes, joins faces by strips");
   blend->require_subcommand(1);
   add_strip(*blend, exit_code);
   add_blend_fill(*blend, exit_code);

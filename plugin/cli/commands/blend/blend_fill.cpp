@@ -145,9 +145,9 @@ int code_of(const reports::FillAnswer& holes) {
 
 int run(const FillCommand& command) {
   if (is_mesh_input(command.model)) {
-    if (!command.edges.empty() || command.sew || command.layout != "auto")
-      throw UsageError(command.model +
-                       ": of triangles all holes are filled, without these options");
+    refuse_options(command.common,
+                   {"--edges", "--sew", "--layout", "--continuity", "--tolerance", "--angle"},
+                   "of triangles all holes are filled");
     return run_fill_of_mesh(command.model, command.common);
   }
   const reports::FillWishes wishes = wishes_of(command);
@@ -172,7 +172,7 @@ void add_blend_fill(CLI::App& blend, int& exit_code) {
       ->required()
       ->type_name("A");
   command
-      ->add_option("--edges", options->edges,
+      ->add_option("--edges,--edge", options->edges,
                    "edges round the hole by number, in any order; all open ones when not given")
       ->type_name("N,N,...");
   command
@@ -189,12 +189,7 @@ void add_blend_fill(CLI::App& blend, int& exit_code) {
       ->check(positive_number())
       ->type_name("X")
       ->capture_default_str();
-  command
-      ->add_option("--angle", options->angle,
-                   "angle between normals that counts as smooth, radians")
-      ->check(positive_number())
-      ->type_name("X")
-      ->capture_default_str();
+  add_angle(*command, "--angle", options->angle, "angle between normals that counts as smooth");
   command->add_flag("--sew", options->sew, "write the model with the fill joined to it");
   add_common_options(
       *command, options->common,

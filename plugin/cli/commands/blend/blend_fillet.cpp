@@ -25,6 +25,7 @@
 #include "core/base/errors.h"
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/options.h"
+#include "plugin/cli/arguments/selection.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/commands/blend/blend_parts.h"
 #include "plugin/cli/exit_code.h"
@@ -35,6 +36,7 @@
 #include "plugin/cli/process/progress.h"
 #include "plugin/reports/blends/blend_words.h"
 #include "plugin/reports/blends/fillet.h"
+#include "plugin/reports/models/edges.h"
 #include "plugin/reports/models/entity_words.h"
 
 namespace blossom::cli {
@@ -44,7 +46,9 @@ struct FilletCommand {
   std::string part;
   std::vector<std::string> edge_words;  ///< --edge
   reports::EdgeChoice chosen{};         ///< the same, read
-  std::string all;                      ///< --edges: "all", "convex" or "concave"
+  std::vector<std::string> of_parts{};  ///< of these what needs the model: Bolt/Edge3, Bolt/Edge3:5
+  std::string all;                      ///< a kind instead: "all", "convex" or "concave"
+  bool has_bare_edge = false;           ///< one of them has no radius of its own
   std::vector<int> between;
   std::string size;              ///< --radius or --distance
   std::string section;           ///< --section
@@ -71,16 +75,36 @@ void add_between(const FilletCommand& command, const std::vector<occt::EdgeFacts
   edges.insert(common.begin(), common.end());
 }
 
+bool is_whole(const Input& part) {
+  return static_cast<int>(part.numbers.size()) == part.model.face_count();
+}
+
+void refuse_edges_beside(const Input& part, const std::set<int>& edges) {
+  if (is_whole(part)) return;
+  const std::set<int> own = reports::edge_numbers(part);
+  for (const int edge : edges)
+    if (!own.contains(edge))
+      throw UsageError(part.name + ": edge " + std::to_string(edge) +
+                       " is of another part; info --edges has the numbers");
+}
+
 // note   what else there is, if all edges are meant
-std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& shape,
-                             std::string& note) {
+std::vector<int> edges_asked(const FilletCommand& command, const Input& part, std::string& note) {
   std::set<int> edges(command.chosen.edges.begin(), command.chosen.edges.end());
-  if (command.all.empty() && command.between.empty()) return {edges.begin(), edges.end()};
-  const std::vector<occt::EdgeFacts> facts = occt::edge_facts(shape);
+  if (command.all.empty() && command.between.empty()) {
+    refuse_edges_beside(part, edges);
+    return {edges.begin(), edges.end()};
+  }
+  std::vector<occt::EdgeFacts> facts = occt::edge_facts(part.model.shape());
+  if (!is_whole(part)) {
+    const std::set<int> own = reports::edge_numbers(part);
+    std::erase_if(facts, [&](const occt::EdgeFacts& edge) { return !own.contains(edge.number); });
+  }
   if (!command.between.empty()) add_between(command, facts, edges);
   if (command.all == "all") note = reports::left_out(facts);
   if (!command.all.empty())
     for (const int edge : reports::edges_to_round(facts, command.all)) edges.insert(edge);
+  refuse_edges_beside(part, edges);
   if (edges.empty())
     throw UsageError(command.part + ": it has no " +
                      (command.all == "all" ? "" : command.all + " ") + "edges that can be rounded");
@@ -91,7 +115,7 @@ TimedFillets timed_fillet(const FilletCommand& command, const Input& part) {
   Progress progress("filleting");
   TimedFillets timed{.of = command.fillet};
   std::string note;
-  timed.asked = edges_asked(command, part.model.shape(), note);
+  timed.asked = edges_asked(command, part, note);
   const auto start = std::chrono::steady_clock::now();
   occt::FilletOptions options = command.fillet;
   options.partial = command.partial;
@@ -115,6 +139,7 @@ std::string comma_separated(const std::vector<int>& numbers) {
 }
 
 std::string done_text(const FilletCommand& command, const occt::FilletResult& made) {
+  if (reports::is_unchanged(made)) return "the part is as it was";
   if (made.solids.empty()) return "refused";
   return counted(made.edges.size(), "edge") + (command.is_chamfer() ? " cut off" : " rounded");
 }
@@ -149,7 +174,7 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
   }
   for (const std::string& note : made.notes) text << "  " << note << "\n";
   // Where nothing was made, the first is on stderr.
-  const std::size_t told = made.solids.empty() ? 1 : 0;
+  const std::size_t told = made.solids.empty() && !reports::is_unchanged(made) ? 1 : 0;
   for (std::size_t i = told; i < made.refused.size(); ++i)
     text << "  " << made.refused[i].text() << "\n";
   return text.str();
@@ -163,6 +188,7 @@ Picture picture_of(const FilletCommand& command, const Input& part,
   picture.subtitle = done_text(command, made);
   picture.groups = {{{}, kFirstColour, 1, "faces"}, {{}, kSecondColour, 1, kind + "s"}};
   const FaceLabels labels(part);
+  if (made.solids.empty()) picture.groups.front().faces = part.faces;
   for (const occt::FilletedSolid& solid : made.solids)
     for (const occt::FilletFace& face : solid.faces) {
       PictureFaces& group = picture.groups[face.from > 0 ? 0 : 1];
@@ -177,7 +203,7 @@ Picture picture_of(const FilletCommand& command, const Input& part,
 void check_options(const FilletCommand& command) {
   if (command.edge_words.empty() && command.all.empty() && command.between.empty())
     throw UsageError(
-        "blend needs edges: --edge N, --edges all or --between A,B; "
+        "blend needs edges: --edges N,N, --edges all or --between A,B; "
         "info --edges lists them");
   if (!command.between.empty() && command.between.size() != 2)
     throw UsageError("--between takes two face numbers, as in --between 2,5");
@@ -185,25 +211,41 @@ void check_options(const FilletCommand& command) {
 
 // What is wrong with a size is wrong with the usage.
 template <class Read>
-void read_size(const char* option, const Read& read) {
+void read_size(const std::string& option, const Read& read) {
   try {
     read();
   } catch (const InvalidInput& wrong) {
-    throw UsageError(std::string(option) + ": " + wrong.what());
+    throw UsageError(option + ": " + wrong.what());
   }
 }
 
-int run(const FilletCommand& command) {
+// The edges of parts by their numbers in the model.
+void choose_edges_of_parts(FilletCommand& command, const Input& part) {
+  for (const std::string& word : command.of_parts) {
+    const std::size_t radius = word.find(':', word.rfind('/'));
+    const std::string own = radius == std::string::npos ? "" : word.substr(radius);
+    for (const int edge : selection_of(part.model, {word.substr(0, radius)}).edges)
+      read_size("--edges",
+                [&] { reports::choose_edge(std::to_string(edge) + own, command.chosen); });
+  }
+  command.fillet.own = command.chosen.own;
+}
+
+int run(FilletCommand command) {
   check_options(command);
   check_files(command.common, {command.part});
   const Input part = read_input(command.part);
-  if (static_cast<int>(part.numbers.size()) != part.model.face_count())
-    throw UsageError(command.part + ": fillets are made in whole models, not in some faces");
+  if (!is_of_solids(part))
+    throw UsageError(command.part + ": " + (command.is_chamfer() ? "chamfers" : "fillets") +
+                     " are made in whole models and parts, not in some faces");
+  choose_edges_of_parts(command, part);
   stop_if_interrupted();
   TimedFillets timed = timed_fillet(command, part);
   stop_if_interrupted();
   const CommonOptions& outputs = command.common;
-  const bool any = !timed.made.solids.empty(), write = any && !outputs.output.empty();
+  const bool unchanged = reports::is_unchanged(timed.made);
+  const bool any = unchanged || !timed.made.solids.empty();
+  const bool write = any && !outputs.output.empty();
   if (any)
     write_pictures(picture_files(outputs, [&] { return picture_of(command, part, timed.made); }));
   if (write) write_part(part, timed, outputs.output);
@@ -219,8 +261,10 @@ int run(const FilletCommand& command) {
                 << reason << '\n';
   }
   if (!outputs.json.empty()) write_json(reports::fillet_report(part, timed), outputs.json);
-  print_summary(summary(command, part, timed), outputs.json);
-  if (!any) return exit_code_unwritten(timed.made.status);
+  print_summary(
+      summary(command, part, timed) + (write ? other_parts_text(part, "written as they were") : ""),
+      outputs.json);
+  if (!any) return exit_code_unwritten(exit_code(timed.made.status));
   return stated_exit_code(timed.made.refused.empty() ? kExitComplete : kExitTolerance);
 }
 
@@ -240,10 +284,11 @@ CLI::App* add_edges_command(CLI::App& blend, const char* name, const char* about
                             const std::shared_ptr<FilletCommand>& options) {
   CLI::App* const command = blend.add_subcommand(name, about);
   command->add_option("part", options->part, "model of solids")->required()->type_name("PART");
-  command->add_option("--edge", options->edge_words, about_edges)->delimiter(',')->type_name("N");
-  limit_to(*command->add_option("--edges", options->all,
-                                "all edges that can be rounded, or those of a kind"),
-           {"all", "convex", "concave"});
+  command
+      ->add_option("--edges,--edge", options->edge_words,
+                   std::string("all, convex or concave; or ") + about_edges)
+      ->delimiter(',')
+      ->type_name("N,N,...");
   command->add_option("--between", options->between, "the edges that two faces have in common")
       ->delimiter(',')
       ->transform(face_word())
@@ -267,30 +312,47 @@ std::string law_text(const std::string& file) {
   return text;
 }
 
-/// --edge.
+bool is_kind(const std::string& word) {
+  return word == "all" || word == "convex" || word == "concave";
+}
+
+/// --edges. Where the model is needed, the rest of the word is looked at alone.
 void read_edges(FilletCommand& command) {
-  for (const std::string& word : command.edge_words)
-    read_size("--edge", [&] { reports::choose_edge(word, command.chosen); });
+  for (const std::string& word : command.edge_words) {
+    if (is_kind(word)) {
+      if (!command.all.empty() && command.all != word)
+        throw UsageError("--edges: of " + command.all + " and " + word + " one is wanted");
+      command.all = word;
+      continue;
+    }
+    const std::size_t slash = word.rfind('/');
+    reports::EdgeChoice tried;
+    if (slash != std::string::npos) command.of_parts.push_back(word);
+    read_size("--edges", [&] {
+      reports::choose_edge(word.substr(slash + 1),
+                           slash == std::string::npos ? command.chosen : tried);
+    });
+    if (tried.own.empty() && slash != std::string::npos) command.has_bare_edge = true;
+  }
   command.fillet.own = command.chosen.own;
 }
 
 // Whether all edges asked for have radii of their own.
 bool has_all_radii(const FilletCommand& command) {
-  return command.all.empty() && command.between.empty() &&
-         std::ranges::all_of(command.chosen.edges,
-                             [&](int edge) { return command.chosen.own.count(edge) > 0; });
+  return command.all.empty() && command.between.empty() && !command.edge_words.empty() &&
+         !command.has_bare_edge && std::ranges::all_of(command.chosen.edges, [&](int edge) {
+           return command.chosen.own.count(edge) > 0;
+         });
 }
 
 /// --radius or --law.
 void read_radii(FilletCommand& command) {
   read_edges(command);
-  if (command.size.empty() && command.law.empty() && !command.chosen.own.empty() &&
-      has_all_radii(command))
-    return;
+  if (command.size.empty() && command.law.empty() && has_all_radii(command)) return;
   if (command.size.empty() == command.law.empty())
     throw UsageError(
         "blend fillet takes --radius R or --law FILE, and just one of them, unless all edges have "
-        "their own, as in --edge 12:5");
+        "their own, as in --edges 12:5");
   if (command.law.empty()) {
     read_size("--radius", [&] {
       const occt::EdgeRadius of = reports::edge_radius(command.size);
@@ -300,7 +362,8 @@ void read_radii(FilletCommand& command) {
     return;
   }
   command.size = command.law;
-  read_size("--law", [&] { command.fillet.law = reports::radius_law(law_text(command.law)); });
+  read_size("--law " + command.law,
+            [&] { command.fillet.law = reports::radius_law(law_text(command.law)); });
 }
 
 }  // namespace
@@ -309,7 +372,8 @@ void add_blend_fillet(CLI::App& blend, int& exit_code) {
   const auto options = std::make_shared<FilletCommand>();
   CLI::App* const command = add_edges_command(
       blend, "fillet", "edges of solids rounded by a ball that rolls along them",
-      "numbers as info --edges prints them: 12 or 3,5,7; 12:5 or 12:2..5 with a radius of its own",
+      "numbers as info --edges prints them, or edges of parts: 3,5,7 or Bolt/Edge3; 12:5 or "
+      "12:2..5 with a radius of its own",
       options);
   command
       ->add_option(
@@ -347,9 +411,9 @@ void add_blend_fillet(CLI::App& blend, int& exit_code) {
 
 void add_blend_chamfer(CLI::App& blend, int& exit_code) {
   const auto options = std::make_shared<FilletCommand>();
-  CLI::App* const command =
-      add_edges_command(blend, "chamfer", "edges of solids cut off",
-                        "numbers as info --edges prints them: 12 or 3,5,7", options);
+  CLI::App* const command = add_edges_command(
+      blend, "chamfer", "edges of solids cut off",
+      "numbers as info --edges prints them, or edges of parts: 3,5,7 or Bolt/Edge3", options);
   command
       ->add_option("--distance", options->size,
                    "of the borders from the edge, mm; 1,2: on the face of the smaller number, on "
@@ -358,7 +422,7 @@ void add_blend_chamfer(CLI::App& blend, int& exit_code) {
       ->type_name("D");
   command->callback([options, &exit_code] {
     read_edges(*options);
-    if (!options->chosen.own.empty()) throw UsageError("--edge: chamfers have no radii");
+    if (!options->chosen.own.empty()) throw UsageError("--edges: chamfers have no radii");
     read_size("--distance",
               [&] { options->fillet.chamfer = reports::chamfer_size(options->size); });
     exit_code = run(*options);

@@ -27,6 +27,8 @@
 namespace blossom::cli {
 namespace {
 
+constexpr const char* kNotSound = "not sound";
+
 struct CheckCommand {
   std::vector<std::string> inputs;
   bool deep = false;
@@ -91,11 +93,12 @@ std::string kind_text(const Kind& kind) {
   return text + (worst.gap > 0 ? ", at worst " : ", one of them ") + kind.at + worst.figure();
 }
 
-std::string check_text(const Input& input, const occt::Soundness& found) {
+// wrong   what triangles of it told
+std::string check_text(const Input& input, const occt::Soundness& found, bool wrong) {
   const reports::LargestGaps all = reports::largest_of(found);
   const std::size_t count = reports::problem_count(found);
   std::ostringstream text;
-  text << input.name << ": " << reports::verdict_of(found)
+  text << input.name << ": " << (wrong ? kNotSound : reports::verdict_of(found))
        << (count == 0 ? "" : ": " + counted(count, "problem")) << ", "
        << counted(found.faces.size(), "face") << ", " << counted(found.edges.size(), "edge")
        << "\n  gap of curves and surfaces " << all.gap << ", at the same parameter "
@@ -204,8 +207,9 @@ int run(const CheckCommand& options) {
   const std::string& json = options.common.json;
   Json report = reports::soundness_report(input, found);
   if (options.deep) report["triangles"] = deep.report;
+  if (deep.wrong) report["verdict"] = kNotSound;
   if (!json.empty()) write_json(report, json);
-  print_summary(check_text(input, found) + deep.text, json);
+  print_summary(check_text(input, found, deep.wrong) + deep.text, json);
   const bool wrong = reports::problem_count(found) > 0 || deep.wrong;
   return exit_code(kExitComplete, findings_of(wrong), options.common);
 }

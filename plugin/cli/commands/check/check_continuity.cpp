@@ -72,7 +72,9 @@ void add_continuity_options(CLI::App& command, ContinuityCommand& options) {
         ->capture_default_str();
   };
   add_limit("--gap", options.tolerances.gap, "MM", "faces less apart meet (G0)");
-  add_limit("--angle", options.tolerances.angle, "RAD", "normals less turned are one (G1)");
+  needing(
+      add_angle(command, "--angle", options.tolerances.angle, "normals less turned are one (G1)"),
+      wanted);
   add_limit("--curvature", options.tolerances.curvature, "PART",
             "curvatures that differ by less, relative to the larger, are one (G2)");
   CLI::Option* const require = command.add_option("--require", options.require,

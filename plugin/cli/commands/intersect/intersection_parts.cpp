@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "plugin/cli/arguments/hidden.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/commands/intersect/intersection_picture.h"
 #include "plugin/cli/commands/intersect/intersection_text.h"
@@ -35,7 +36,8 @@ void add_intersect_options(CLI::App& command, IntersectOptions& options) {
   command.add_option("--repeat", options.repeat, "do it N times and report the median time")
       ->check(whole_number(1, 1'000'000))
       ->type_name("N")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(kHidden);
   command.add_flag("--joined", options.joined,
                    "write one part of wires, each stretch once, instead of a part for each pair "
                    "of faces");

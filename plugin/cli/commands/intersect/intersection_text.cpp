@@ -170,10 +170,11 @@ std::string PairNames::of(const occt::FaceIntersection& pair) const {
   };
   const std::string part_a = part(parts_a_, face_a), part_b = part(parts_b_, face_b);
   const bool itself = &a_ == &b_;
-  std::string parts = part_a.empty() ? part_b : part_a;
-  if (!part_a.empty() && !part_b.empty() && !(itself && part_a == part_b))
-    parts = part_a + " x " + part_b;
   const std::string face = "face " + std::to_string(face_a);
+  if (part_a.empty() && !part_b.empty())
+    return face + " x " + part_b + ", face " + std::to_string(face_b);
+  std::string parts = part_a;
+  if (!part_b.empty() && !(itself && part_a == part_b)) parts += " x " + part_b;
   return (parts.empty() ? "" : parts + ", ") + face +
          (itself && face_a == face_b ? "" : " x face " + std::to_string(face_b));
 }

@@ -70,19 +70,15 @@ std::string summary(const std::string& input, const std::string& output,
 void add_mesh_options(CLI::App& command, MeshConversion& options) {
   command
       .add_option("--deviation", options.deviation,
-                  "of triangles: how far they may be from the faces, model units; else a "
+                  "of triangles: how far they may be from the faces, mm; else a "
                   "thousandth of the model's size")
       ->check(positive_number())
       ->type_name("D");
-  command
-      .add_option("--angle", options.facets.angle,
-                  "of triangles: how far normals may turn along a side, about; radians")
-      ->check(positive_number())
-      ->default_str(number_text(options.facets.angle))
-      ->type_name("A");
+  add_angle(command, "--angle", options.facets.angle,
+            "of triangles: how far normals may turn along a side, about");
   command
       .add_option("--edge-length", options.facets.edge_length,
-                  "of triangles: how long sides may be, about; model units")
+                  "of triangles: how long sides may be, about; mm")
       ->check(positive_number())
       ->type_name("L");
   command
@@ -103,6 +99,7 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
   Input input = read_input(name);
   const Json repairs = Json::array({reports::repairs_json(input)});
   const std::vector<meshes::MeshGroup> groups = meshes::face_groups(input);
+  const std::string others = other_parts_text(input, "left out");
   drop_other_faces(input);
   stop_if_interrupted();
   FacetOptions options = conversion.facets;
@@ -111,7 +108,7 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
   stop_if_interrupted();
   if (made.made.facets.stopped) {
     tell_unwritten(common.output, "the time limit was reached while it was meshed");
-    return exit_code_unwritten(Status::Stopped);
+    return kExitStopped;
   }
   reports::MeshAnswer& answer = made.answer;
   look_for_crossings(made.mesh, made.face_of, input.numbers, answer);
@@ -130,7 +127,7 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
     report["repairs"] = repairs;
     write_json(report, common.json);
   }
-  print_summary(summary(input.name, common.output, answer), common.json);
+  print_summary(summary(input.name, common.output, answer) + others, common.json);
   return answer.refused.empty() ? kExitComplete : kExitTolerance;
 }
 

@@ -34,27 +34,54 @@ constexpr double kFiner = 0.2;
 constexpr std::size_t kNamedPairs = 10;
 constexpr int kDeepRounds = 3;  // of finer triangles, as long as some cross
 
+// Pairs of triangles that cross. What parts do to each other is none of their faults.
+struct Crossings {
+  std::size_t inside = 0, between = 0;   // parts
+  std::set<std::array<int, 2>> faces{};  // inside of parts
+};
+
+Crossings crossings_of(const meshes::JudgedMesh& found, const std::vector<int>& face_of,
+                       const std::vector<std::string>& parts) {
+  Crossings crossings;
+  for (const auto& [a, b] : found.crossing_pairs) {
+    const auto i = static_cast<std::size_t>(face_of[static_cast<std::size_t>(a)]);
+    const auto j = static_cast<std::size_t>(face_of[static_cast<std::size_t>(b)]);
+    if (parts.at(i) != parts.at(j))
+      ++crossings.between;
+    else
+      crossings.faces.insert(
+          {static_cast<int>(std::min(i, j)) + 1, static_cast<int>(std::max(i, j)) + 1});
+  }
+  crossings.inside = found.crossings - crossings.between;
+  return crossings;
+}
+
 DeepCheck deep_answer(const FileMesh& mesh, const meshes::JudgedMesh& found, double distance,
-                      const std::set<std::array<int, 2>>& faces) {
+                      const Crossings& crossings, const FaceLabels& labels) {
+  const std::set<std::array<int, 2>>& faces = crossings.faces;
   DeepCheck check;
-  check.wrong = found.crossings > 0 || found.turned_sides > 0;
+  check.wrong = crossings.inside > 0 || found.turned_sides > 0;
   check.report = {{"triangles", mesh.triangles.size()},
                   {"distance", distance},
                   {"closed", found.closed()},
                   {"turned_sides", found.turned_sides},
                   {"volume", found.closed() ? Json(found.volume) : Json(nullptr)},
-                  {"crossings", found.crossings},
-                  {"crossing_faces", faces}};
+                  {"crossings", crossings.inside},
+                  {"crossing_faces", faces},
+                  {"crossings_between_parts", crossings.between}};
   std::ostringstream text;
   text << "  as " << counted(mesh.triangles.size(), "triangle") << " within " << distance << ": "
        << (found.closed() ? "closed, volume " + std::to_string(found.volume) : "not closed");
-  text << ", " << counted(found.crossings, "pair") << " of triangles that cross";
+  text << ", " << counted(crossings.inside, "pair") << " of triangles that cross";
   std::size_t named = 0;
   for (const auto& [a, b] : faces) {
     if (++named > kNamedPairs) break;
-    text << (named == 1 ? ", of faces " : ", ") << a << " and " << b;
+    text << (named == 1 ? ", of " : ", ") << labels.of(a) << " and " << labels.of(b);
   }
   text << "\n";
+  if (crossings.between > 0)
+    text << "  " << counted(crossings.between, "pair")
+         << " of triangles of different parts that cross, which clash looks at\n";
   check.text = text.str();
   return check;
 }
@@ -96,6 +123,7 @@ std::string notes_of(const meshes::MeshSource& source) {
 
 int run_mesh_check(const std::string& input, const CommonOptions& common) {
   check_files(common, {input});
+  refuse_options(common, {"--deep"}, input + " is of triangles already");
   const FileMesh mesh = read_mesh_input(input);
   stop_if_interrupted();
   const auto found = meshes::judged_mesh(mesh, stop_if_interrupted);
@@ -113,6 +141,8 @@ DeepCheck deep_check(const Input& input) {
   for (const Vec3& p : occt::tessellation(shape, {.deviation = 1e6}).facets.points)
     box = joined(box, {p, p});
   options.deviation = kFirstDeviation * diagonal(box);
+  const std::vector<std::string> parts = input.model.part_paths();
+  const FaceLabels labels(input);
   DeepCheck check;
   for (int round = 0; round < kDeepRounds; ++round, options.deviation *= kFiner) {
     std::vector<int> face_of;
@@ -120,14 +150,10 @@ DeepCheck deep_check(const Input& input) {
     const FileMesh mesh{made.facets.points, occt::triangles_of(made, &face_of)};
     const auto found = meshes::judged_mesh(mesh, stop_if_interrupted);
     if (!found) throw UsageError("--deep needs CGAL, which this program lacks");
-    std::set<std::array<int, 2>> faces;
-    for (const auto& [a, b] : found->crossing_pairs) {
-      const int i = face_of[static_cast<std::size_t>(a)], j = face_of[static_cast<std::size_t>(b)];
-      faces.insert({std::min(i, j) + 1, std::max(i, j) + 1});
-    }
-    check = deep_answer(mesh, *found, made.facets.distance, faces);
+    const Crossings crossings = crossings_of(*found, face_of, parts);
+    check = deep_answer(mesh, *found, made.facets.distance, crossings, labels);
     stop_if_interrupted();
-    if (found->crossings == 0) break;
+    if (crossings.inside == 0) break;
   }
   return check;
 }
@@ -135,6 +161,7 @@ DeepCheck deep_check(const Input& input) {
 int run_mesh_distance(const std::string& first, const std::string& second,
                       std::optional<double> within, const QueryOptions& options) {
   check_files(options, {first, second});
+  refuse_options(options, {"--budget"}, "farthest points of triangles are told");
   meshes::MeshSource a = mesh_source_of(first), b = mesh_source_of(second);
   stop_if_interrupted();
   const std::function<bool()> cancelled = interrupted;
@@ -144,7 +171,7 @@ int run_mesh_distance(const std::string& first, const std::string& second,
   stop_if_interrupted();
   write_answer(meshes::mesh_distance_report(found),
                distance_text(found) + notes_of(a) + notes_of(b), options);
-  return found.is_within() == false ? kExitFindings : exit_code(found.status);
+  return exit_code(exit_code(found.status), findings_of(found.is_within() == false), options);
 }
 
 }  // namespace blossom::cli

@@ -38,12 +38,7 @@ using reports::SectionsAnswer;
 constexpr double kModelDeviation = 1e-4;  // of a model's size: how near its triangles are
 
 void write_curves(const SectionsAnswer& answer, const std::string& file) {
-  const bool any = std::ranges::any_of(answer.planes, [](const auto& plane) {
-    return std::ranges::any_of(plane.parts, [](const reports::PartSection& part) {
-      return !part.section.wires.empty() || !part.section.points.empty();
-    });
-  });
-  if (!any) return tell_unwritten(file, "no curve and no point was found");
+  if (!reports::has_shape(answer)) return tell_unwritten(file, "no curve and no point was found");
   if (drawings::is_drawing_file(file)) return drawings::write_section_drawing(answer, file);
   write_model(reports::model_of(answer), file);
 }
@@ -79,7 +74,9 @@ std::string notes_text(const MeshCurves& found, const char* moved, const char* i
   return text;
 }
 
-void refuse_pictures(const CommonOptions& common) {
+void refuse_options_of_models(const CommonOptions& common) {
+  refuse_options(common, {"--tolerance", "--form", "--budget", "--joined", "--repeat"},
+                 "triangles are compared exactly");
   if (!picture_names(common).empty())
     throw UsageError("--picture, --html and --glb show models, not files of triangles");
 }
@@ -128,7 +125,7 @@ std::string text_of(const std::string& input, const SectionsAnswer& answer,
 }  // namespace
 
 int run_mesh_intersection(const std::string& a, const std::string& b, const CommonOptions& common) {
-  refuse_pictures(common);
+  refuse_options_of_models(common);
   check_files(common, {a, b});
   MeshSource first = mesh_source_of(a), second = mesh_source_of(b);
   stop_if_interrupted();
@@ -154,7 +151,7 @@ int run_mesh_intersection(const std::string& a, const std::string& b, const Comm
 
 int run_mesh_sections(const std::string& input, const std::vector<NamedPlane>& planes,
                       const CommonOptions& common) {
-  refuse_pictures(common);
+  refuse_options_of_models(common);
   const meshes::FileMesh mesh = read_mesh_input(input);
   stop_if_interrupted();
   const Stopwatch watch;

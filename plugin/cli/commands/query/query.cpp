@@ -11,10 +11,11 @@ namespace blossom::cli {
 
 void add_query_options(CLI::App& command, QueryOptions& options) {
   add_report_options(command, options);
-  command.add_option("--tolerance", options.tolerance, "what counts as one point, in model units")
+  command.add_option("--tolerance", options.tolerance, "what counts as one point, mm")
       ->check(positive_number())
       ->type_name("T")
-      ->default_str(number_text(options.tolerance));
+      ->default_str(number_text(options.tolerance))
+      ->group(kShared);
 }
 
 std::string place_text(const ShapeNumbers& numbers, const Input& input,

@@ -131,7 +131,8 @@ int run_does_intersect(const DistanceCommand& options) {
   if (found.meeting != occt::Meeting::No) text += "  " + a.text(found.a) + "\n";
   write_answer(reports::meeting_report(a, b, found), text + relation_lines(found.relation, a, b),
                options.common);
-  return exit_code(found.status);
+  return exit_code(exit_code(found.status), findings_of(has_common_points(relation)),
+                   options.common);
 }
 
 void add_budget(CLI::App& command, DistanceCommand& options) {
@@ -148,6 +149,7 @@ std::shared_ptr<DistanceCommand> add_pair(CLI::App& query, const char* name, con
   command->add_option("a", options->a, "model, or some of its faces")->required()->type_name("A");
   command->add_option("b", options->b, "likewise")->required()->type_name("B");
   add_budget(*command, *options);
+  add_fail_on(*command, options->common);
   add_query_options(*command, options->common);
   command->callback([options, run, &exit_code] { exit_code = run(*options); });
   return options;
@@ -175,11 +177,14 @@ void add_query_distance(CLI::App& query, int& exit_code) {
       "the least distance of two models; of triangles (.stl, .ply, .obj, .off) the largest, "
       "both ways",
       run_distance, exit_code);
-  query.get_subcommand("distance")
-      ->add_option("--within", options->within,
-                   "whether all of one is that near to the other, both ways; of models, too")
-      ->check(positive_number())
-      ->type_name("D");
+  CLI::App* const command = query.get_subcommand("distance");
+  CLI::Option* const within =
+      command
+          ->add_option("--within", options->within,
+                       "whether all of one is that near to the other, both ways; of models, too")
+          ->check(positive_number())
+          ->type_name("D");
+  command->get_option("--fail-on")->needs(within);
 }
 
 void add_query_does_intersect(CLI::App& query, int& exit_code) {

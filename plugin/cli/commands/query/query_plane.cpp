@@ -23,7 +23,6 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
-#include "plugin/drawings/section_drawing.h"
 #include "plugin/reports/queries/section.h"
 
 namespace blossom::cli {
@@ -113,23 +112,17 @@ void write_outputs(const Input& input, const PlaneCommand& options, const Answer
   const occt::PlaneSection& section = answer.section;
   const CommonOptions& common = options.common;
   const bool any = !section.wires.empty() || !section.points.empty();
-  occt::Model model;
-  const std::string ending = ending_of(common.output);
-  const bool drawing = drawings::is_drawing_file(common.output);
-  const bool report = ending == ".json";
-  const bool unwritten = !common.output.empty() && !report && !any;
-  const bool as_model = !common.output.empty() && !drawing && !report;
-  if (as_model && any) model.add(occt::compound_of(section), "section", {});
+  const bool report = ending_of(common.output) == ".json";
+  const bool shapes = !common.output.empty() && !report;
   const std::vector<PictureFile> pictures =
       picture_files(common, [&] { return picture_of(input, section); });
   stop_if_interrupted();
-  if (as_model && any) write_model(model, common.output);
-  if (drawing && any)
-    write_drawing(input, {answer.plane, "section", {}}, options.engine, common.output);
+  if (shapes && any)
+    write_parts(input, {answer.plane, "section", {}}, options.engine, common.output);
   const Json json = reports::section_report(input, answer.plane, options.engine.tolerance, section,
                                             answer.seconds);
   if (report) write_json(json, common.output);
-  if (unwritten) tell_unwritten(common.output, "no wire and no point was found");
+  if (shapes && !any) tell_unwritten(common.output, "no wire and no point was found");
   write_pictures(pictures);
   if (!common.json.empty()) write_json(json, common.json);
   print_summary(text_of(input, answer), common.json);

@@ -114,13 +114,10 @@ SectionsAnswer cut(const Input& input, const std::vector<NamedPlane>& planes,
 }
 
 void write_result(const Input& input, const SectionsAnswer& answer, const std::string& file) {
-  if (drawings::is_drawing_file(file)) return drawings::write_section_drawing(answer, file);
   if (ending_of(file) == ".json") return write_json(reports::sections_report(input, answer), file);
-  const occt::Model model = reports::model_of(answer);
-  if (model.shape().IsNull())
-    tell_unwritten(file, "no wire and no point was found");
-  else
-    write_model(model, file);
+  if (!reports::has_shape(answer)) return tell_unwritten(file, "no wire and no point was found");
+  if (drawings::is_drawing_file(file)) return drawings::write_section_drawing(answer, file);
+  write_model(reports::model_of(answer), file);
 }
 
 NamedPlane plane_in(const std::string& line, const std::string& where) {
@@ -184,9 +181,9 @@ std::vector<NamedPlane> planes_in(const std::string& file) {
   return planes;
 }
 
-void write_drawing(const Input& input, const NamedPlane& plane, const EngineOptions& engine,
-                   const std::string& file) {
-  drawings::write_section_drawing(cut(input, {plane}, engine), file);
+void write_parts(const Input& input, const NamedPlane& plane, const EngineOptions& engine,
+                 const std::string& file) {
+  write_result(input, cut(input, {plane}, engine), file);
 }
 
 int run_planes(const std::string& name, std::vector<NamedPlane> planes, const CommonOptions& common,

@@ -21,10 +21,9 @@ std::vector<reports::NamedPlane> planes_at(const std::string& offsets, const occ
 /// throws   UsageError, with the line, if it has no planes or a line is none
 std::vector<reports::NamedPlane> planes_in(const std::string& file);
 
-/// The drawing of one plane.
-/// file   ends in .dxf or .svg
-void write_drawing(const Input& input, const reports::NamedPlane& plane,
-                   const EngineOptions& engine, const std::string& file);
+/// The section with one plane as a drawing or a model, part by part.
+void write_parts(const Input& input, const reports::NamedPlane& plane, const EngineOptions& engine,
+                 const std::string& file);
 
 /// The model is made ready once. Writes what is asked for, prints, and returns the exit code.
 int run_planes(const std::string& input, std::vector<reports::NamedPlane> planes,

@@ -53,6 +53,9 @@ std::string text_of(const Input& input, const reports::RayAnswer& answer) {
     const RayHit& hit = found.hit;
     text << "  " << hit.parameter << " at " << vector_text(hit.point) << ", "
          << numbers.text(found.on, face_number(input, found));
+    const TopoDS_Face& face = input.faces[static_cast<std::size_t>(hit.surface)];
+    if (const std::string part = reports::part_with(input, face); !part.empty())
+      text << " of " << part;
     if (hit.last > hit.first) text << ", from " << hit.first << " to " << hit.last;
     if (hit.grazing) text << ", grazing";
     if (hit.status != Status::Complete) text << ", " << to_string(hit.status);

@@ -84,7 +84,10 @@ TimedTrim timed_trim(const Inputs& inputs, const TrimCommand& options) {
     wanted.open_cuts = occt::OpenCuts::LeaveOut;
   const std::vector<occt::PartFace> part = reports::part_faces(inputs.part);
   std::vector<occt::TrimTool> tools;
-  for (const Input& tool : inputs.tools) tools.push_back(reports::tool_of(tool));
+  for (const Input& tool : inputs.tools) {
+    tools.push_back(reports::tool_of(tool));
+    tools.back().name = tool.name;
+  }
   for (std::size_t i = 0; i < inputs.planes.size(); ++i)
     tools.push_back(
         occt::plane_tool(inputs.planes[i], inputs.part.model.shape(), reports::plane_name(i)));
@@ -162,6 +165,7 @@ int write_outputs(Inputs& inputs, TimedTrim& timed, const TrimCommand& options) 
   const bool write = !options.common.output.empty() && reason.empty();
   const bool unwritten = !options.common.output.empty() && !write;
   std::string text = summary(inputs, labels, timed);
+  if (write) text += other_parts_text(inputs.part, "written as they were");
   timed.written = write;
   const Json report = reports::trim_report(inputs.part, tools, timed);
   if (watertight) text += summary_of(*watertight);
@@ -176,7 +180,7 @@ int write_outputs(Inputs& inputs, TimedTrim& timed, const TrimCommand& options) 
   write_pictures(pictures);
   if (!options.common.json.empty()) write_json(report, options.common.json);
   print_summary(text, options.common.json);
-  return unwritten ? exit_code_unwritten(timed.made.status) : exit_code(timed.made.status);
+  return exit_code(timed.made.status);
 }
 
 std::vector<occt::Plane> planes_of(const TrimCommand& options) {
@@ -185,11 +189,27 @@ std::vector<occt::Plane> planes_of(const TrimCommand& options) {
   return planes;
 }
 
+// What other programs call the operations.
+std::string other_name(const std::string& word) {
+  static const std::map<std::string, std::string> kNames{
+      {"union", "fuse"},     {"unite", "fuse"},      {"add", "fuse"},
+      {"merge", "fuse"},     {"join", "fuse"},       {"intersect", "common"},
+      {"subtract", "cut"},   {"difference", "cut"},  {"intersection", "common"},
+      {"minus", "cut"},      {"divide", "split"},    {"partition", "split"},
+      {"fragment", "split"}, {"fragments", "split"}, {"slice", "split"}};
+  const auto known = kNames.find(word);
+  const std::string near = known != kNames.end()
+                               ? known->second
+                               : nearest_word(word, {"cut", "common", "fuse", "split"});
+  return near.empty() ? "" : "; did you mean '" + near + "'?";
+}
+
 int run_solid(const TrimCommand& options) {
   if (!options.keep.empty() || options.allow_incomplete)
     throw UsageError("--solid goes without --keep and --allow-incomplete");
   if (!is_solid_operation(options.solid))
-    throw UsageError("--solid takes cut, common, fuse or split, not '" + options.solid + "'");
+    throw UsageError("--solid takes cut, common, fuse or split, not '" + options.solid + "'" +
+                     other_name(options.solid));
   EngineOptions engine = options.engine;
   engine.tolerance += options.fuzzy;
   return trim_solids({options.part, options.tools, planes_of(options), options.solid,
@@ -251,7 +271,7 @@ void add_trim(CLI::App& app, int& exit_code) {
   command
       ->add_option("--fuzzy", options->fuzzy,
                    "with --solid: what is up to so much farther apart than the tolerance counts as "
-                   "one, in model units")
+                   "one, mm")
       ->check(positive_number())
       ->type_name("T");
   command->add_flag("--allow-incomplete", options->allow_incomplete,

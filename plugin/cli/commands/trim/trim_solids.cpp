@@ -69,24 +69,17 @@ void make_watertight(TimedSolids& timed, const EngineOptions& engine) {
   timed.watertight = std::move(made.pieces);
 }
 
-// Whether all that the user names is solids.
-bool names_solids(const Input& input) {
-  TopTools_IndexedMapOfShape solids, bounding;
-  TopExp::MapShapes(input.model.shape(), TopAbs_SOLID, solids);
-  for (const int number : input.solids) TopExp::MapShapes(solids(number), TopAbs_FACE, bounding);
-  return !input.solids.empty() && std::ranges::all_of(input.faces, [&](const TopoDS_Face& face) {
-    return bounding.Contains(face);
-  });
-}
-
 // Models of their own, even of one file: the part is changed.
-occt::Model model_of(const std::string& text, Json& repairs) {
+//
+// others   says what becomes of those that are not named
+occt::Model model_of(const std::string& text, Json& repairs, std::string& others) {
   Input input = read_input(text);
   repairs.push_back(repairs_json(input));
   if (static_cast<int>(input.numbers.size()) == input.model.face_count())
     return std::move(input.model);
-  if (!names_solids(input))
+  if (!is_of_solids(input))
     throw UsageError(text + ": --solid takes whole models or solids, not some of their faces");
+  others = other_parts_text(input, "left out");
   drop_other_faces(input);
   return std::move(input.model);
 }
@@ -246,10 +239,9 @@ void tell_no_solid(const CommonOptions& outputs, const std::string& reason) {
   if (!wants_shape(outputs)) std::cerr << "blossom: there is no solid: " << reason << '\n';
 }
 
-int exit_code_of(const occt::SolidTrimResult& made, const CommonOptions& outputs) {
-  const bool missing = made.solids.empty() && made.sheets.empty() && wants_shape(outputs);
-  return missing || !made.obstacles.empty() ? exit_code_unwritten(made.status)
-                                            : exit_code(made.status);
+int exit_code_of(const occt::SolidTrimResult& made) {
+  const int code = exit_code(made.status);
+  return made.obstacles.empty() ? code : exit_code_unwritten(code);
 }
 
 }  // namespace
@@ -266,9 +258,10 @@ int trim_solids(const SolidTrim& options) {
   check_files(options.common, files, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   start_threads(options.engine.threads);
   Json repairs = Json::array();
-  occt::Model part = model_of(options.part, repairs);
+  std::string others, of_tool;
+  occt::Model part = model_of(options.part, repairs, others);
   Models tools;
-  for (const std::string& tool : options.tools) tools.push_back(model_of(tool, repairs));
+  for (const std::string& tool : options.tools) tools.push_back(model_of(tool, repairs, of_tool));
   stop_if_interrupted();
   TimedSolids timed = timed_trim(options, part, tools);
   for (std::size_t i = 0; i < options.planes.size(); ++i)
@@ -291,8 +284,8 @@ int trim_solids(const SolidTrim& options) {
   write_pictures(pictures);
   if (!reason.empty()) tell_no_solid(outputs, reason);
   if (!outputs.json.empty()) write_json(reports::solid_report(timed), outputs.json);
-  print_summary(summary(options, timed), outputs.json);
-  return exit_code_of(timed.made, outputs);
+  print_summary(summary(options, timed) + (write ? others : ""), outputs.json);
+  return exit_code_of(timed.made);
 }
 
 }  // namespace blossom::cli
