@@ -18,7 +18,7 @@ LAST_CHOICES = (
 def facts_of(done, doing):
     """Facts; `done` is the name of the one with the edges' numbers."""
     return (
-        Fact("Status", "word", "complete, or stopped"),
+        Fact("Status", "word", "complete, tolerance: some edges are left out, refused, or stopped"),
         Fact(done, "edges", f"The numbers of the edges that are {doing}"),
         Fact("Volume", "volume", "Afterwards, cubic mm"),
         Fact("Refused", "words", f"Edges that cannot be {doing}, and why"),

@@ -131,6 +131,8 @@ class ProgramDoor:
         """The answer; its shape is the name of the file unless that is a BREP."""
         made, report, errors = (self._new_file(end) for end in (ending, "json", "txt"))
         for name, value in options.items():
+            if name == "angle":  # the program takes degrees
+                value = math.degrees(value)
             command = [*command, f"--{name.replace('_', '-')}", repr(value)]
         output = ["-o", made] if makes_shape else []
         with open(errors, "w", encoding="utf-8") as stream:
