@@ -47,7 +47,7 @@ std::vector<SharedModel> with_part(const SharedModel& part, std::vector<SharedMo
 
 SharedModel made_model(const std::string& name, occt::Model model) {
   if (model.face_count() == 0) return nullptr;
-  return std::make_shared<LoadedModel>(name, std::move(model), Repair::Never);
+  return std::make_shared<LoadedModel>(name, std::move(model), reports::Repairing::None);
 }
 
 }  // namespace

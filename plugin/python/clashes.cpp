@@ -26,10 +26,11 @@ Answer clash(const SharedModel& a, const SharedModel& b, std::optional<double> c
     reports::look_for_clashes(answer, watch.engine());
     watch.stop();
     occt::Model common = reports::common_bodies(answer);
-    return made_answer(with_reading(reports::clash_report(answer), models),
-                       common.shape().IsNull() ? nullptr
-                                               : std::make_shared<LoadedModel>(
-                                                     "clash", std::move(common), Repair::Never));
+    return made_answer(
+        with_reading(reports::clash_report(answer), models),
+        common.shape().IsNull()
+            ? nullptr
+            : std::make_shared<LoadedModel>("clash", std::move(common), reports::Repairing::None));
   });
 }
 

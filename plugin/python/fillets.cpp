@@ -56,7 +56,7 @@ Answer blend_edges(const SharedModel& part, const EdgeWish& wish, const occt::Fi
     if (!answer.made.solids.empty() || reports::is_unchanged(answer.made)) {
       occt::Model copy = input.model.copy();
       reports::put_fillets(copy, answer);
-      made = std::make_shared<LoadedModel>(kind, std::move(copy), Repair::Never);
+      made = std::make_shared<LoadedModel>(kind, std::move(copy), reports::Repairing::None);
     }
     return made_answer(with_reading(reports::fillet_report(input, answer), {part}),
                        std::move(made));

@@ -32,11 +32,12 @@ nets::Stop stop_of(const Watch& watch) {
 SharedModel shape_of(const SharedModel& of, const SharedNets& made, const std::string& name) {
   if (made->empty()) return nullptr;
   if (made->front().source.face == 0)
-    return std::make_shared<LoadedModel>(name, nets::model_of_nets(*made), Repair::Never);
+    return std::make_shared<LoadedModel>(name, nets::model_of_nets(*made),
+                                         reports::Repairing::None);
   const LoadedModel::Turn turn = of->turn(Watch());
   occt::Model copy = of->model().copy();
   nets::put_nets(copy, *made);
-  return std::make_shared<LoadedModel>(name, std::move(copy), Repair::Never);
+  return std::make_shared<LoadedModel>(name, std::move(copy), reports::Repairing::None);
 }
 
 py::dict records_of(const SharedNets& made) {
@@ -59,7 +60,7 @@ Answer nets_answer(const SharedModel& model, Json report, std::vector<nets::Net>
 Answer subdivide(const SharedModel& model, const nets::Cut& wanted, const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
-    const reports::Input& input = model->repaired_input(watch, Loose::Kept);
+    const reports::Input& input = model->repaired_input(watch, reports::LooseFaces::Kept);
     nets::Cut cut = wanted;
     cut.stop = stop_of(watch);
     const bool edges = cut.interval || input.faces.empty();
@@ -76,7 +77,7 @@ Answer subdivide_whole(const SharedModel& model, const nets::WholeCut& wanted,
                        const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
-    const reports::Input& input = model->repaired_input(watch, Loose::Kept);
+    const reports::Input& input = model->repaired_input(watch, reports::LooseFaces::Kept);
     nets::WholeCut cut = wanted;
     cut.all_edges = !model->is_part();
     cut.stop = stop_of(watch);
@@ -88,7 +89,7 @@ Answer subdivide_whole(const SharedModel& model, const nets::WholeCut& wanted,
     if (!edges) nets::put_whole_faces(made, parts);
     return made_answer(
         with_reading(nets::whole_report(input, cut, parts, seconds), {model}),
-        std::make_shared<LoadedModel>("subdivision", std::move(made), Repair::Never));
+        std::make_shared<LoadedModel>("subdivision", std::move(made), reports::Repairing::None));
   });
 }
 

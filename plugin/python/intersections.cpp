@@ -176,8 +176,8 @@ SharedFound found_by(const SharedModel& a, const SharedModel& b, bool itself, co
 Answer intersect(const SharedModel& a, const SharedModel& b, const Control& control) {
   return answer_of(interruptible(control, [&](const Watch& watch) {
     const BothTurns turns(*a, *b, watch);
-    const std::vector<TopoDS_Face>& faces_a = a->faces(watch, Loose::Kept);
-    const std::vector<TopoDS_Face>& faces_b = b->faces(watch, Loose::Kept);
+    const std::vector<TopoDS_Face>& faces_a = a->faces(watch, reports::LooseFaces::Kept);
+    const std::vector<TopoDS_Face>& faces_b = b->faces(watch, reports::LooseFaces::Kept);
     return found_by(a, b, false, watch,
                     [&] { return occt::intersect(faces_a, faces_b, watch.engine()); });
   }));

@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds kPause{20};  // between questions whether to
 
 }  // namespace
 
-LoadedModel::LoadedModel(std::string name, occt::Model model, Repair repair)
+LoadedModel::LoadedModel(std::string name, occt::Model model, reports::Repairing repair)
     : name_(std::move(name)),
       repair_(repair),
       model_(std::make_shared<occt::Model>(std::move(model))) {}
@@ -67,8 +67,8 @@ LoadedModel::Turn LoadedModel::turn(const Watch& watch) const {
   return turn;
 }
 
-const std::vector<TopoDS_Face>& LoadedModel::faces(const Watch& watch, Loose loose) {
-  if (model_ || loose == Loose::Sewn) {
+const std::vector<TopoDS_Face>& LoadedModel::faces(const Watch& watch, reports::LooseFaces loose) {
+  if (model_ || loose == reports::LooseFaces::Sewn) {
     const reports::Input& input = repaired_input(watch, loose);
     if (input.faces.empty()) throw occt::BadModel(name_ + ": there is no face in it");
     return input.faces;
@@ -103,10 +103,10 @@ void LoadedModel::sew(const Watch& watch) {
   repaired_ = false;
 }
 
-reports::Input& LoadedModel::repaired_input(const Watch& watch, Loose loose) {
-  if (loose == Loose::Sewn) sew(watch);
+reports::Input& LoadedModel::repaired_input(const Watch& watch, reports::LooseFaces loose) {
+  if (loose == reports::LooseFaces::Sewn) sew(watch);
   reports::Input& known = input();
-  if (repair_ == Repair::Never || repaired_) return known;
+  if (repair_ == reports::Repairing::None || repaired_) return known;
   const std::function<void()> stop = [&watch] { watch.stop(); };
   known.repairs = is_part() ? known.model.repair(known.numbers, stop) : known.model.repair(stop);
   repaired_ = true;

@@ -20,19 +20,13 @@
 
 namespace blossom::python {
 
-/// Whether a model is repaired when the first question needs that, as files are.
-enum class Repair { WhenUsed, Never };
-
-/// What becomes of loose faces of a file or of a caller's shape, which itself stays as it is: sewn
-/// into the solids that they close, see occt::Model::sew.
-enum class Loose { Sewn, Kept };
-
 /// A file's model, one that was made, or a shape of the caller's, which is never changed; or some
 /// faces of one.
 class LoadedModel {
  public:
-  /// name   what reports and messages call it
-  LoadedModel(std::string name, occt::Model model, Repair repair);
+  /// name     what reports and messages call it
+  /// repair   whether it is repaired when the first question needs that, as files are
+  LoadedModel(std::string name, occt::Model model, reports::Repairing repair);
   LoadedModel(std::string name, const TopoDS_Shape& shape);
 
   /// Some faces, by their numbers in the model, which they keep.
@@ -64,12 +58,14 @@ class LoadedModel {
 
   /// Faces, repaired if they are a file's.
   /// throws   BadModel if there is none
-  const std::vector<TopoDS_Face>& faces(const Watch& watch, Loose loose = Loose::Sewn);
+  const std::vector<TopoDS_Face>& faces(const Watch& watch,
+                                        reports::LooseFaces loose = reports::LooseFaces::Sewn);
   /// Made of a caller's shape when first needed.
   occt::Model& model();
   /// What reports speak of, repaired if wanted.
   reports::Input& input();
-  reports::Input& repaired_input(const Watch& watch, Loose loose = Loose::Sewn);
+  reports::Input& repaired_input(const Watch& watch,
+                                 reports::LooseFaces loose = reports::LooseFaces::Sewn);
   /// Ready for distances.
   reports::MeasuredInput& measured(const Watch& watch);
   const occt::ShapeRays& rays(double tolerance, const Watch& watch);
@@ -79,7 +75,7 @@ class LoadedModel {
   void sew(const Watch& watch);
 
   std::string name_;
-  Repair repair_ = Repair::Never;
+  reports::Repairing repair_ = reports::Repairing::None;
   TopoDS_Shape given_;        // of a caller
   std::vector<int> numbers_;  // none: all
   std::shared_ptr<occt::Model> model_;

@@ -152,7 +152,7 @@ Answer answer_of_curves(reports::Json report, std::vector<meshes::MeshCurves> fo
     made.add(occt::compound_of(meshes::section_of(one)), name);
     any = true;
   }
-  if (any) wires = std::make_shared<LoadedModel>(name, std::move(made), Repair::Never);
+  if (any) wires = std::make_shared<LoadedModel>(name, std::move(made), reports::Repairing::None);
   Answer answer = made_answer(std::move(report), wires);
   answer.records = [found = std::move(found)] { return curve_records(found); };
   return answer;

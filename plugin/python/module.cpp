@@ -60,7 +60,7 @@ SharedModel read_file(const std::string& path, bool strict, const Control& contr
     occt::Model model = occt::read_model(path, options);
     if (strict && model.reading().grade() == occt::ReadingGrade::ShapesLost)
       throw occt::BadModel(path + ": is refused as strict: " + model.reading().summary());
-    return std::make_shared<LoadedModel>(path, std::move(model), Repair::WhenUsed);
+    return std::make_shared<LoadedModel>(path, std::move(model), reports::Repairing::Used);
   });
 }
 

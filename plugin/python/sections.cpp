@@ -129,7 +129,8 @@ Answer sections(const SharedModel& model, const std::vector<reports::NamedPlane>
           .model = [cuts]() -> SharedModel {
             occt::Model made = reports::model_of(cuts->answer);
             if (made.shape().IsNull()) return nullptr;
-            return std::make_shared<LoadedModel>("sections", std::move(made), Repair::Never);
+            return std::make_shared<LoadedModel>("sections", std::move(made),
+                                                 reports::Repairing::None);
           },
           .records =
               [cuts] {

@@ -187,7 +187,8 @@ void refuse_special(const std::filesystem::path& file) {
                    ", only regular files are read and written");
 }
 
-Input read_input(const std::string& text, Faces need, Repair repair, Loose loose) {
+Input read_input(const std::string& text, Faces need, reports::Repairing repair,
+                 reports::LooseFaces loose) {
   InputName name = parse_input(text);
   if (nets::is_net_file(name.file) && cli::exists(name.file))
     throw occt::BadModel(name.file.string() +
@@ -199,14 +200,14 @@ Input read_input(const std::string& text, Faces need, Repair repair, Loose loose
                          "blend fill and convert take alone");
   const std::shared_ptr<occt::Model> model = model_of(name.file);
   Input input{text, model, *model};
-  if (loose == Loose::Sewn || !name.words.empty() || reading_policy().sew)
+  if (loose == reports::LooseFaces::Sewn || !name.words.empty() || reading_policy().sew)
     sew(name.file, *model, input);
   if (!name.words.empty()) name = with_whole_names(std::move(name), text, *model);
   input.shape = model->shape();
   input.numbers = chosen_numbers(name, model->face_count(), need);
   if (!name.words.empty()) select(name, need, input);
   for (const int number : input.numbers) input.faces.push_back(model->face(number));
-  if (repair == Repair::None) return input;
+  if (repair == reports::Repairing::None) return input;
   enter(Phase::Working, "repairing " + name.file.string());
   input.repairs = name.is_whole() ? model->repair(stop_if_interrupted)
                                   : model->repair(input.numbers, stop_if_interrupted);

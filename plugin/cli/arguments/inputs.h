@@ -38,25 +38,17 @@ void refuse_special(const std::filesystem::path& file);
 /// Whether a model without any face is an input at all.
 enum class Faces { Required, Optional };
 
-/// What is repaired of a model.
-enum class Repair {
-  Used,  ///< the faces that the user means; all of the model if no faces are named
-  None,
-};
-
-/// What becomes of faces that bound no closed solid, see occt::Model::sew. Where words name
-/// something in a file, or --sew-gap is given, they are sewn in any case, unless by --sew-gap 0.
-enum class Loose { Kept, Sewn };
-
-/// Reads the file and picks the faces. Files are read once as long as an input from them is there,
-/// so that edges which faces of two inputs share are known to be the same. What was sewn and what
-/// was repaired is told in a line each, and with -v where.
+/// Reads the file and picks the faces. Where words name something in a file, or --sew-gap is given,
+/// loose faces are sewn in any case, unless by --sew-gap 0. Files are read once as long as an input
+/// from them is there, so that edges which faces of two inputs share are known to be the same. What
+/// was sewn and what was repaired is told in a line each, and with -v where.
 ///
 /// throws   UsageError as parse_input, or if edges are named where faces are required;
 ///          occt::BadModel if the file cannot be read, has no face though they are required, or
 ///          what is named does not exist
 Input read_input(const std::string& text, Faces need = Faces::Required,
-                 Repair repair = Repair::Used, Loose loose = Loose::Sewn);
+                 reports::Repairing repair = reports::Repairing::Used,
+                 reports::LooseFaces loose = reports::LooseFaces::Sewn);
 
 /// What becomes of the parts that an input does not name: "5 other parts are written as they were".
 /// Empty if there is none.

@@ -172,8 +172,9 @@ int run_on_many(const CLI::App& command, const InfoCommand& options) {
 
 int run(const InfoCommand& options) {
   check_files(options.common, options.inputs);
-  const Input input = read_input(options.inputs.front(), Faces::Optional, Repair::None,
-                                 options.edges ? Loose::Sewn : Loose::Kept);
+  const Input input =
+      read_input(options.inputs.front(), Faces::Optional, reports::Repairing::None,
+                 options.edges ? reports::LooseFaces::Sewn : reports::LooseFaces::Kept);
   const auto problems =
       occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()));
   const ModelFacts facts = reports::model_facts(input, problems, interrupted);

@@ -71,7 +71,7 @@ int run_whole(const WholeQuestion& question) {
     throw UsageError(question.input + ": --whole takes models; nets are one piece already");
   const bool edges = !question.interval.empty();
   const Input input = read_input(question.input, edges ? Faces::Optional : Faces::Required,
-                                 Repair::Used, Loose::Kept);
+                                 reports::Repairing::Used, reports::LooseFaces::Kept);
   const Stopwatch watch;
   const nets::WholeCut cut = cut_of(question);
   const std::vector<WholePart> parts = nets::whole_parts(input, cut);

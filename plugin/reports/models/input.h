@@ -14,6 +14,16 @@
 
 namespace blossom::reports {
 
+/// What is repaired of a model before it is used.
+enum class Repairing {
+  Used,  ///< the faces that the user means; all of the model if no faces are named
+  None,
+};
+
+/// What becomes of faces that bound no closed solid: sewn into the solids that they close, see
+/// occt::Model::sew, or not.
+enum class LooseFaces { Kept, Sewn };
+
 /// A model with the faces that the user means.
 struct Input {
   std::string name;                    ///< as the user wrote it

@@ -113,7 +113,7 @@ TEST(Input, IsReadAnewOnceNoneOfItsFileIsLeft) {
 TEST(Input, IsRepairedWhereItIsUsed) {
   const testing::TestFolder folder;
   const std::string file = write_loose(folder / "part.brep");
-  EXPECT_TRUE(read_input(file, Faces::Required, Repair::None).repairs.empty());
+  EXPECT_TRUE(read_input(file, Faces::Required, reports::Repairing::None).repairs.empty());
   EXPECT_TRUE(read_input(file + "#4").repairs.empty());
   EXPECT_EQ(read_input(file + "#1").repairs.remade.size(), 1U);
   EXPECT_EQ(read_input(file).repairs.remade.size(), 1U);
