@@ -138,7 +138,7 @@ void write_common(const ClashAnswer& answer, const std::string& file) {
   if (!model.shape().IsNull())
     write_model(model, file);
   else
-    tell_unwritten(file, "no parts have a common body");
+    tell_nothing_found(file, "no parts have a common body");
 }
 
 int write_outputs(const ClashAnswer& answer, const CommonOptions& common) {

@@ -73,7 +73,7 @@ constexpr const char* kExitStatus =
     "Exit status:\n"
     "  0 done, and proven; 3 done, but for what is listed; 4 stopped by a limit;\n"
     "  5 there are findings (--fail-on findings); 2 bad usage or input;\n"
-    "  1 a file that was asked for is not written, or another failure; 130 interrupted\n";
+    "  1 failure: a result cannot be written, or nothing is left of it; 130 interrupted\n";
 
 }  // namespace
 

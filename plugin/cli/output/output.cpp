@@ -59,12 +59,16 @@ void print_summary(const std::string& text, const std::string& json) {
   if (!is_stdout(json) && verbosity() != Verbosity::Quiet) print(text);
 }
 
-void tell_unwritten(const std::string& file, const std::string& reason) {
+void tell_nothing_found(const std::string& file, const std::string& reason) {
   std::error_code ignored;
   std::cerr << "blossom: " << file << " is not written: " << reason
             << (std::filesystem::exists(file, ignored)
                     ? "; the file of that name is an older one, left as it was\n"
                     : "\n");
+}
+
+void tell_unwritten(const std::string& file, const std::string& reason) {
+  tell_nothing_found(file, reason);
   file_unwritten = true;
 }
 

@@ -122,7 +122,7 @@ void write_outputs(const Input& input, const PlaneCommand& options, const Answer
   const Json json = reports::section_report(input, answer.plane, options.engine.tolerance, section,
                                             answer.seconds);
   if (report) write_json(json, common.output);
-  if (shapes && !any) tell_unwritten(common.output, "no wire and no point was found");
+  if (shapes && !any) tell_nothing_found(common.output, "no wire and no point was found");
   write_pictures(pictures);
   if (!common.json.empty()) write_json(json, common.json);
   print_summary(text_of(input, answer), common.json);

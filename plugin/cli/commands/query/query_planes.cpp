@@ -115,7 +115,8 @@ SectionsAnswer cut(const Input& input, const std::vector<NamedPlane>& planes,
 
 void write_result(const Input& input, const SectionsAnswer& answer, const std::string& file) {
   if (ending_of(file) == ".json") return write_json(reports::sections_report(input, answer), file);
-  if (!reports::has_shape(answer)) return tell_unwritten(file, "no wire and no point was found");
+  if (!reports::has_shape(answer))
+    return tell_nothing_found(file, "no wire and no point was found");
   if (drawings::is_drawing_file(file)) return drawings::write_section_drawing(answer, file);
   write_model(reports::model_of(answer), file);
 }
