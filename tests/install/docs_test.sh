@@ -52,9 +52,9 @@ claim "all $options options are there" test "$options" -gt 100
 claim "there are pages of all $commands commands" \
   test "$commands" -gt 10 -a "$(ls "$docs/man" | wc -l)" -eq "$commands"
 
-claim "an option's own words are offered" offers monomial blossom intersect a.step --form m
+claim "an option's own words are offered" offers findings blossom check a.step --fail-on f
 nothing() { [ -z "$(completed "$@")" ]; }
-claim "and no others" nothing blossom intersect a.step --form x
+claim "and no others" nothing blossom check a.step --fail-on x
 claim "a file's name is left to bash" nothing blossom intersect hull
 
 if command -v man >/dev/null; then
