@@ -283,7 +283,7 @@ TEST(NearContacts, AreNeverMissed) {
     const bool swapped = testing::pick(random, 0, 1) == 1;
     const BezierSurface &a = swapped ? draw.pair.below : draw.pair.above,
                         &b = swapped ? draw.pair.above : draw.pair.below;
-    const SurfaceIntersection found = intersect(a, b, {.time_limit = 4});
+    const SurfaceIntersection found = intersect(a, b);
     const std::string why = fault(draw, found);
     EXPECT_EQ(why, "") << "seed " << seed << ", " << draw.name << ", gap " << draw.gap
                        << " tolerances, scale " << draw.scale;

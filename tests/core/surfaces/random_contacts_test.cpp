@@ -274,7 +274,7 @@ Trial trial(int seed) {
   const Draw draw = random_draw(random);
   const PlacedDraw placed = place(draw, random);
   const auto start = std::chrono::steady_clock::now();
-  const SurfaceIntersection found = intersect(placed.pair.a, placed.pair.b, {.time_limit = 10});
+  const SurfaceIntersection found = intersect(placed.pair.a, placed.pair.b);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   const std::string why = fault(draw, placed, found);
   EXPECT_EQ(why, "") << "seed " << seed << ", " << described(draw, placed, found);

@@ -71,7 +71,8 @@ TEST_F(BlendFill, TakesAContinuityForEachEdge) {
   const Finished ran = blossom({"blend", "fill", path("square.brep"), "--edges", "5,6,7,8",
                                 "--continuity", "G1,G0,G1,G0", "--json", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  for (const nlohmann::json& side : nlohmann::json::parse(ran.out)["holes"][0]["sides"])
+  const nlohmann::json report = nlohmann::json::parse(ran.out);
+  for (const nlohmann::json& side : report["holes"][0]["sides"])
     EXPECT_EQ(side["asked"], side["edge"].get<int>() % 2 == 1 ? "G1" : "G0");
 }
 
