@@ -46,11 +46,11 @@ std::size_t check_ends(const char* function, const PieceEnds& ends) {
 }
 
 // One net for all, or one block of nets for each block of pieces.
-detail::NetSource check_nets(const char* function, const NetShape& shape, std::size_t count,
-                             std::size_t blocks) {
-  if (count == static_cast<std::size_t>(shape.size())) return detail::NetSource::Shared;
+detail::LaneNets check_nets(const char* function, const NetShape& shape, std::size_t count,
+                            std::size_t blocks) {
+  if (count == static_cast<std::size_t>(shape.size())) return detail::LaneNets::Shared;
   check_count(function, "nets", count, blocks * block_size(shape));
-  return detail::NetSource::Blocks;
+  return detail::LaneNets::Blocks;
 }
 
 // The ends of the blocks of pieces from a block on.
@@ -108,7 +108,7 @@ void subdivide_pieces(NetForm form, const NetShape& shape, std::span<const doubl
   const char* const name = "subdivide_pieces";
   detail::check_shape(name, shape);
   const std::size_t blocks = check_ends(name, ends);
-  const detail::NetSource source = check_nets(name, shape, nets.size(), blocks);
+  const detail::LaneNets source = check_nets(name, shape, nets.size(), blocks);
   check_count(name, "out", out.size(), blocks * block_size(shape));
   detail::kernels(level).pieces(form, source, shape, nets.data(), view(ends),
                                 static_cast<int>(blocks), out.data());
@@ -119,7 +119,7 @@ void subdivide_pieces_by_pyramid(const NetShape& shape, std::span<const double> 
   const char* const name = "subdivide_pieces_by_pyramid";
   detail::check_shape(name, shape);
   const std::size_t blocks = check_ends(name, ends);
-  const detail::NetSource source = check_nets(name, shape, coefficients.size(), blocks);
+  const detail::LaneNets source = check_nets(name, shape, coefficients.size(), blocks);
   check_count(name, "out", out.size(), blocks * block_size(shape));
   detail::kernels(level).pyramid(source, shape, coefficients.data(), view(ends),
                                  static_cast<int>(blocks), out.data());
@@ -144,9 +144,9 @@ void subdivide_pieces_within(double tolerance, const NetShape& shape, const Both
     double* const to = out.data() + first * block_size(shape);
     const detail::BulkKernels& kernels = detail::kernels(level);
     if (path == PiecePath::MonomialPyramid)
-      kernels.pyramid(detail::NetSource::Shared, shape, net.coefficients.data(), run, count, to);
+      kernels.pyramid(detail::LaneNets::Shared, shape, net.coefficients.data(), run, count, to);
     else
-      kernels.pieces(NetForm::Bezier, detail::NetSource::Shared, shape, net.bezier.data(), run,
+      kernels.pieces(NetForm::Bezier, detail::LaneNets::Shared, shape, net.bezier.data(), run,
                      count, to);
     first = end;
   };

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <BRep_Tool.hxx>
-#include <TopExp.hxx>
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/base/points.h"
@@ -77,81 +76,6 @@ bool BallWalker::is_shared(int step) const {
     if (options_.ended_before.count(each.half.edge) > 0) return true;
     return !(each.half == half) && options_.filleted.count(each.half.edge) > 0;
   });
-}
-
-// Whether a ball is past both ends of an open run.
-bool BallWalker::is_past_end(const Vec3& centre) const {
-  double least = 0;
-  bool past = true;
-  for (std::size_t i = 0; i < run_.edges.size(); ++i) {
-    const RunEdge& each = run_.edges[i];
-    Interval range;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(body_.edge(each.edge), range.from, range.to);
-    const double x = nearest_on(curve, range, centre);
-    const double away = distance(vec(curve->Value(x).XYZ()), centre);
-    if (i > 0 && away >= least) continue;
-    least = away;
-    past = !run_.closed &&
-           ((i == 0 && x == (each.forward ? range.from : range.to)) ||
-            (i + 1 == run_.edges.size() && x == (each.forward ? range.to : range.from)));
-  }
-  return past;
-}
-
-// The crossings at notches that are beside the run: the ball rolls over them, but leans on a bend.
-std::vector<Notch> BallWalker::notches_beside(const WalkedStrip& of, std::size_t contact,
-                                              const std::vector<ContactCrossing>& crossed) const {
-  std::vector<Notch> all = notches(body_, of.strip, contact, crossed);
-  std::erase_if(all, [&](const Notch& each) {
-    if (holds(of, each.leaves.t, each.leaves) && holds(of, each.enters.t, each.enters)) return true;
-    return is_past_end(vec(of.strip.spine->Value(each.leaves.t).XYZ())) ||
-           is_past_end(vec(of.strip.spine->Value(each.enters.t).XYZ()));
-  });
-  return all;
-}
-
-// Seams are none, as the face is the same behind them. Over the edge that it entered by, a contact
-// leaves its face only where it goes out of it: where faces do not quite touch, its way in is not
-// quite where the strip before ended.
-std::optional<ContactCrossing> BallWalker::first_crossing(const WalkedStrip& of, std::size_t side,
-                                                          double from, int ahead,
-                                                          int entered) const {
-  const std::size_t contact = contact_at(of, side);
-  std::optional<ContactCrossing> best;
-  const std::vector<ContactCrossing> all =
-      contact_crossings(body_, of.strip, contact, options_.filleted);
-  const std::vector<Notch> round = notches_beside(of, contact, all);
-  for (const ContactCrossing& each : all) {
-    const double far = ahead * (each.t - from);
-    const double speed = of.strip.contacts[contact].curve->DN(each.t, 1).Magnitude();
-    const double room =
-        kSamePlace * std::max(options_.tolerance, each.use->coedge->tolerance) / speed;
-    if (far < (each.use->edge == entered ? room : 0)) continue;
-    if (each.use->edge == entered && each.leaves != (ahead > 0)) continue;
-    if (is_seam_at(body_, each)) continue;
-    if (std::ranges::any_of(round, [&](const Notch& notch) { return notch.has(each.t); })) continue;
-    if (!best || far < ahead * (best->t - from)) best = each;
-  }
-  return best;
-}
-
-// Where strips end at an edge, or lean on one, they are as near to each other as it is to its
-// faces; in one of its vertices, as that is to it.
-double BallWalker::reach_at(const WalkedStrip& of, const WalkExit& exit) const {
-  double reach = options_.tolerance;
-  for (const std::size_t side : {0U, 1U})
-    for (const int number :
-         {exit.over[side] ? exit.over[side]->use->edge : 0, exit.held[side], held_by(of)[side]}) {
-      if (number == 0) continue;
-      const TopoDS_Edge edge = body_.edge(number);
-      reach = std::max(reach, BRep_Tool::Tolerance(edge));
-      const Vec3 place = vec(of.strip.contacts[contact_at(of, side)].curve->Value(exit.t));
-      for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)}) {
-        const double tolerance = BRep_Tool::Tolerance(end);
-        if (distance(place, point_of(end)) <= tolerance) reach = std::max(reach, tolerance);
-      }
-    }
-  return kSamePlace * reach;
 }
 
 // More of a strip past one of its ends, if there is.

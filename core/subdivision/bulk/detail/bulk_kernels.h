@@ -40,7 +40,7 @@ struct CornersView {
 };
 
 /// How nets go into a kernel: one for all lanes, or a block of kLanes nets for each block.
-enum class NetSource { Shared, Blocks };
+enum class LaneNets { Shared, Blocks };
 
 /// What triangles of one pair of degrees have in common.
 struct TrianglePlanView {
@@ -59,9 +59,9 @@ struct BulkKernels {
                double* sheet);
   void (*grid_of_blocks)(const NetShape& shape, const double* nets, int blocks, const StackView& u,
                          const StackView& v, double* sheets);
-  void (*pieces)(NetForm form, NetSource source, const NetShape& shape, const double* nets,
+  void (*pieces)(NetForm form, LaneNets source, const NetShape& shape, const double* nets,
                  const EndsView& ends, int blocks, double* out);
-  void (*pyramid)(NetSource source, const NetShape& shape, const double* nets, const EndsView& ends,
+  void (*pyramid)(LaneNets source, const NetShape& shape, const double* nets, const EndsView& ends,
                   int blocks, double* out);
   void (*piece)(NetForm form, const NetShape& shape, const double* net, const Interval& u,
                 const Interval& v, double* out);

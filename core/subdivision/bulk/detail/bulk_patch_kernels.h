@@ -102,12 +102,12 @@ void grid_of_blocks(const NetShape& shape, const double* nets, int blocks, const
 
 /// Pieces with ends of their own: lanes are pieces, and matrices are made for each. kSize is that
 /// of a square net, or 0.
-template <class V, NetForm kForm, NetSource kSource, int kSize>
+template <class V, NetForm kForm, LaneNets kSource, int kSize>
 [[gnu::noinline]] void pieces_of_size(const NetShape& shape, const double* nets,
                                       const EndsView& ends, int blocks, double* out) {
   constexpr int kBound = kSize > 0 ? kSize : kMaxSize;
   constexpr int kArea = kBound * kBound * V::kWidth;
-  constexpr bool kShared = kSource == NetSource::Shared;
+  constexpr bool kShared = kSource == LaneNets::Shared;
   constexpr int kStep = kShared ? 1 : kLanes;
   alignas(64) double along_u[kArea], along_v[kArea], half[kArea];
   const int rows = kSize > 0 ? kSize : shape.rows, columns = kSize > 0 ? kSize : shape.columns;
@@ -141,7 +141,7 @@ template <class V, NetForm kForm, NetSource kSource, int kSize>
     }
 }
 
-template <class V, NetForm kForm, NetSource kSource>
+template <class V, NetForm kForm, LaneNets kSource>
 void pieces_of(const NetShape& shape, const double* nets, const EndsView& ends, int blocks,
                double* out) {
   with_square_size(shape, [&](auto size) {
@@ -150,9 +150,9 @@ void pieces_of(const NetShape& shape, const double* nets, const EndsView& ends, 
 }
 
 template <class V>
-void pieces(NetForm form, NetSource source, const NetShape& shape, const double* nets,
+void pieces(NetForm form, LaneNets source, const NetShape& shape, const double* nets,
             const EndsView& ends, int blocks, double* out) {
-  constexpr NetSource kShared = NetSource::Shared, kBlocks = NetSource::Blocks;
+  constexpr LaneNets kShared = LaneNets::Shared, kBlocks = LaneNets::Blocks;
   if (form == NetForm::Bezier)
     source == kShared ? pieces_of<V, NetForm::Bezier, kShared>(shape, nets, ends, blocks, out)
                       : pieces_of<V, NetForm::Bezier, kBlocks>(shape, nets, ends, blocks, out);

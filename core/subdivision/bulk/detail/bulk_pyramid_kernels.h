@@ -106,10 +106,10 @@ void polar_net(const NetShape& shape, const double* coefficients, int step, doub
 }
 
 /// kSize is that of a square net, or 0.
-template <class V, NetSource kSource, int kSize>
+template <class V, LaneNets kSource, int kSize>
 [[gnu::noinline]] void pyramid_of_size(const NetShape& shape, const double* nets,
                                        const EndsView& ends, int blocks, double* out) {
-  constexpr bool kShared = kSource == NetSource::Shared;
+  constexpr bool kShared = kSource == LaneNets::Shared;
   constexpr int kStep = kShared ? 1 : kLanes;
   constexpr int kBound = kSize > 0 ? kSize : kMaxSize;
   alignas(64) double polar[kMaxPlanes * kBound * kBound * kStep];
@@ -140,7 +140,7 @@ template <class V, NetSource kSource, int kSize>
   }
 }
 
-template <class V, NetSource kSource>
+template <class V, LaneNets kSource>
 void pyramid_of(const NetShape& shape, const double* nets, const EndsView& ends, int blocks,
                 double* out) {
   with_square_size(shape, [&](auto size) {
@@ -149,12 +149,12 @@ void pyramid_of(const NetShape& shape, const double* nets, const EndsView& ends,
 }
 
 template <class V>
-void pyramid(NetSource source, const NetShape& shape, const double* nets, const EndsView& ends,
+void pyramid(LaneNets source, const NetShape& shape, const double* nets, const EndsView& ends,
              int blocks, double* out) {
-  if (source == NetSource::Shared)
-    pyramid_of<V, NetSource::Shared>(shape, nets, ends, blocks, out);
+  if (source == LaneNets::Shared)
+    pyramid_of<V, LaneNets::Shared>(shape, nets, ends, blocks, out);
   else
-    pyramid_of<V, NetSource::Blocks>(shape, nets, ends, blocks, out);
+    pyramid_of<V, LaneNets::Blocks>(shape, nets, ends, blocks, out);
 }
 
 }  // namespace blossom::detail
