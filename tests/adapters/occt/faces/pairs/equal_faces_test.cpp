@@ -71,7 +71,7 @@ std::size_t shared_edges_of(const TopoDS_Shape& shape) {
 // Each face has one region, with its copy alone, and each edge is a curve of either face with the
 // copy of the other.
 void expect_copies(const TopoDS_Shape& a, const TopoDS_Shape& b) {
-  const ShapeIntersection found = intersect(faces_of(a), faces_of(b), {.time_limit = 20});
+  const ShapeIntersection found = intersect(faces_of(a), faces_of(b));
   EXPECT_NE(found.status, Status::Stopped);
   std::size_t regions = 0, curves = 0;
   for (const FaceIntersection& pair : found.pairs) {
@@ -214,7 +214,7 @@ TEST(EqualFaces, MovedALittleAreSearched) {
   for (const Solid& solid : solids()) {
     SCOPED_TRACE(solid.name);
     const ShapeIntersection found =
-        intersect(faces_of(solid.shape), faces_of(solid.shape.Moved(little)), {.time_limit = 20});
+        intersect(faces_of(solid.shape), faces_of(solid.shape.Moved(little)));
     for (const FaceIntersection& pair : found.pairs) EXPECT_TRUE(pair.equal_edges.empty());
     EXPECT_NE(found.status, Status::Stopped);
   }

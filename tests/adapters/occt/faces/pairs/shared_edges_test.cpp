@@ -128,7 +128,7 @@ TEST(SharedEdges, AreAllThatTwoHalvesOfOneSurfaceHaveInCommon) {
 TEST(SharedEdges, ThatAreSmoothAreTangentialCurves) {
   const std::vector<Neighbours> pairs = neighbours(bent_wall());
   ASSERT_EQ(pairs.size(), 1u);
-  const ShapeIntersection found = intersect({pairs[0].a}, {pairs[0].b}, {.time_limit = 5});
+  const ShapeIntersection found = intersect({pairs[0].a}, {pairs[0].b});
   EXPECT_EQ(found.status, Status::Complete);
   ASSERT_EQ(found.pairs.size(), 1u);
   const SurfaceIntersection& one = found.pairs[0].found;
