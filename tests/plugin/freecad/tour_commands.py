@@ -90,13 +90,19 @@ def trim():
     yield SETTLED
 
 
-def fillet():
-    document = new_document("Fillet")
+def with_top_chosen(name):
+    """A document with a block of 30 x 20 x 12 whose upper face is selected."""
+    document = new_document(name)
     block = document.addObject("Part::Box", "Block")
     block.Length, block.Width, block.Height = 30, 20, 12
     document.recompute()
     look(document)
     select(document, ("Block", "Face6"))
+    return document
+
+
+def fillet():
+    document = with_top_chosen("Fillet")
     FreeCADGui.runCommand("Blossom_Fillet")
     yield found
     look(document)
@@ -161,12 +167,7 @@ def check():
 
 
 def chamfer():
-    document = new_document("Chamfer")
-    block = document.addObject("Part::Box", "Block")
-    block.Length, block.Width, block.Height = 30, 20, 12
-    document.recompute()
-    look(document)
-    select(document, ("Block", "Face6"))
+    document = with_top_chosen("Chamfer")
     FreeCADGui.runCommand("Blossom_Chamfer")
     yield found
     claim("what does not count is grey", not widget(QtWidgets.QWidget, "BlossomAngle").isEnabled())
