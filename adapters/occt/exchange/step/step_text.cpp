@@ -11,6 +11,7 @@
 #include "adapters/occt/exchange/file_text.h"
 #include "adapters/occt/exchange/step/step_entities.h"
 #include "adapters/occt/exchange/step/step_numbers.h"
+#include "adapters/occt/exchange/step/step_reals.h"
 #include "adapters/occt/exchange/step/step_scan.h"
 #include "adapters/occt/exchange/step/step_sections.h"
 
@@ -28,32 +29,12 @@ std::size_t last_place(std::string_view text, std::string_view word) {
   return kNone;
 }
 
-/// Whether a letter is the exponent's of a number, as in "1.5e-3", or looks like that in a string.
-bool is_small_exponent(std::string_view text, std::size_t place) {
-  if (text[place] != 'e' || place == 0 || place + 1 >= text.size()) return false;
-  const char before = text[place - 1], after = text[place + 1];
-  return (is_digit(before) || before == '.') && (is_digit(after) || after == '+' || after == '-');
-}
-
-bool has_small_exponents(std::string_view text) {
-  for (std::size_t i = text.find('e'); i != kNone; i = text.find('e', i + 1))
-    if (is_small_exponent(text, i)) return true;
-  return false;
-}
-
-/// Capitals outside of strings and comments, of all letters or of exponents alone.
-enum class Letters { All, Exponents };
-void capitalize(std::string& text, Letters letters) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    std::size_t end = kNone;
-    if (text[i] == '\'' || text[i] == '"')
-      end = text.find(text[i], i + 1);
-    else if (text.compare(i, 2, "/*") == 0)
-      end = text.find("*/", i + 2);
-    if (end != kNone)
-      i = end;
-    else if (letters == Letters::All || is_small_exponent(text, i))
-      text[i] = upper(text[i]);
+/// Capitals outside of strings and comments.
+void capitalize(std::string& text) {
+  for (std::size_t place = 0; place < text.size();) {
+    const std::size_t behind = behind_quoted(text, place);
+    if (behind == place) text[place] = upper(text[place]);
+    place = behind == place ? place + 1 : behind;
   }
 }
 
@@ -165,10 +146,8 @@ void mend_step_text(std::string& text, ReadingReport& report) {
     close(text, report);
   else
     text.replace(end, text.size() - end, "END-ISO-10303-21;\n");
-  if (has_small_keywords(text))
-    capitalize(text, Letters::All);
-  else if (has_small_exponents(text))
-    capitalize(text, Letters::Exponents);
+  if (has_small_keywords(text)) capitalize(text);
+  mend_reals(text);
   code_letters(text);
   mend_step_sections(text);
   open_scopes(text);

@@ -9,11 +9,11 @@
 
 namespace blossom::occt {
 
-/// Takes a byte-order mark and what stands before the header away, writes keywords and exponents in
-/// capitals if they are not, letters beyond ASCII in STEP's codes, drops control characters and
+/// Takes a byte-order mark and what stands before the header away, writes keywords in capitals if
+/// they are not, letters beyond ASCII in STEP's codes, drops control characters and
 /// what follows the end, closes a file without an end behind its last whole entity, and mends
-/// sections and entities (`step_sections.h`, `step_entities.h`, `step_numbers.h`): Open CASCADE
-/// refuses these. What a missing end means is said in the report.
+/// sections and entities (`step_sections.h`, `step_entities.h`, `step_numbers.h`, `step_reals.h`):
+/// Open CASCADE refuses these. What a missing end means is said in the report.
 void mend_step_text(std::string& text, ReadingReport& report);
 
 }  // namespace blossom::occt

@@ -25,6 +25,13 @@ TEST(StepText, HasExponentsInCapitalsButNotInStrings) {
             "#1=CARTESIAN_POINT('M8x1e-3',(1.E-3,2.5E5,3.5E+2));");
 }
 
+TEST(StepText, HasPointsAndTheLetterEInNumbersWithExponents) {
+  EXPECT_EQ(mended("#1=CARTESIAN_POINT('1e-05',(1e-05,-2E3, +1.5d0));"),
+            "#1=CARTESIAN_POINT('1e-05',(1.E-05,-2.E3, +1.5E0));");
+  const std::string others = "#1=A2E5(.E5.,B3D2,#12,1.E,3D(4));";
+  EXPECT_EQ(mended(others), others);
+}
+
 TEST(StepText, HasLettersBeyondAsciiInItsOwnCodes) {
   EXPECT_EQ(mended("#1=PRODUCT('\xE6\x97\xA5 \xE9',$);"),
             "#1=PRODUCT('\\X2\\65E5\\X0\\ \\X\\E9',$);");
