@@ -135,8 +135,8 @@ std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& t
 /// apart; fused, they become one only where solids of another input join them.
 ///
 /// A sheet, a tool that is no closed solid, splits: each divides all pieces. What of it ends freely
-/// inside of a piece, or has one body on both sides, divides nothing; one that ends in the middle
-/// of a face of the part, and divides that only so far, is refused.
+/// inside of a piece, or has one body on both sides, divides nothing. Where its cuts end in the
+/// middle of a face without the sheet ending there, it is refused.
 ///
 /// A sheet as the part is cut by solids: what is outside of them is left (cut), what is inside of
 /// all of them or on them (common), or both (split). Sheets as tools of a sheet divide it, too, and

@@ -93,13 +93,14 @@ void CurveEdges::add(const CutUse& use) {
     known.push_back({range, use.edge});
 }
 
+bool is_matched(const CurveEdges& side, const CurveEdges& other) {
+  return std::ranges::all_of(side.made, [&](const CurveEdge& edge) {
+    return counterpart(edge, other.made) != nullptr || counterpart(edge, other.along) != nullptr;
+  });
+}
+
 bool match(const CurveEdges& a, const CurveEdges& b) {
-  const auto has = [](const CurveEdges& of) {
-    return [&of](const CurveEdge& edge) {
-      return counterpart(edge, of.made) != nullptr || counterpart(edge, of.along) != nullptr;
-    };
-  };
-  return std::ranges::all_of(a.made, has(b)) && std::ranges::all_of(b.made, has(a));
+  return is_matched(a, b) && is_matched(b, a);
 }
 
 bool join_matching(const CurveEdges& a, const CurveEdges& b, const CommonEdges& common,

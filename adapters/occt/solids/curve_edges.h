@@ -31,6 +31,9 @@ struct CurveEdges {
 
 /// Whether each edge that one side made has its counterpart on the other: one that is made as well,
 /// or one that was there, as where a curve touches a seam and runs along it within the tolerance.
+bool is_matched(const CurveEdges& side, const CurveEdges& other);
+
+/// Whether that is so of both.
 bool match(const CurveEdges& a, const CurveEdges& b);
 
 /// Joins the edges of two sides that match; those that were there stay.

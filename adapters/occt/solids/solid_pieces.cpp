@@ -17,6 +17,7 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/curve_edges.h"
+#include "adapters/occt/solids/sheet_ends.h"
 #include "adapters/occt/solids/solid_loose_ends.h"
 #include "adapters/occt/solids/tolerances/stated_tolerance.h"
 #include "adapters/occt/solids/touching_curves.h"
@@ -197,10 +198,20 @@ void add_notes(const Side& side, std::size_t face, SolidPieces& result) {
 
 // Whether a sheet is divided as far as a curve goes. Its own border may end the curve in the middle
 // of a face of the other input, which stays as it is there; and a sheet's in the middle of its own.
-bool divides_sheet(const Side& a, const Side& b, const Spline& curve, const CurveEdges& on_a,
-                   double allowed) {
-  return !a.solid->is_solid() &&
-         (!b.solid->is_solid() || longest_rest(curve, on_a, on_a) <= allowed);
+bool divides_sheet(const Side& sheet, const Side& other, const Spline& curve,
+                   const CurveEdges& on_sheet, double allowed) {
+  return !sheet.solid->is_solid() &&
+         (!other.solid->is_solid() || longest_rest(curve, on_sheet, on_sheet) <= allowed);
+}
+
+// Whether a face of a solid may stay as it is where a curve ends in the middle of it: what of the
+// sheet that ends there hangs on the curve has a free edge, and divides nothing.
+bool ends_in_solid(const Side& solid, const Side& sheet, const std::vector<CurveEdges>& on_sheet) {
+  if (!solid.solid->is_solid() || sheet.solid->is_solid()) return false;
+  std::vector<TopoDS_Face> pieces;
+  for (const FaceDivision& face : sheet.faces)
+    for (const FacePiece& piece : face.split().pieces) pieces.push_back(piece.face);
+  return end_with_sheet(pieces, on_sheet);
 }
 
 void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
@@ -208,6 +219,7 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
                 SolidPieces& result) {
   const auto on_a = curve_edges(a, uses.size());
   const auto on_b = curve_edges(b, uses.size());
+  const bool b_ends = ends_in_solid(a, b, on_b);
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const CurveUse& use = uses[i];
     const Spline& curve = a.faces[use.face_a].cuts()[use.cut_a].curve;
@@ -220,7 +232,9 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
     const bool alike = match(on_a[i], on_b[i]);
     if (use.touch && !alike) continue;  // what only touches may divide one face alone
     const bool fits = alike && (use.touch || longest_rest(curve, on_a[i], on_b[i]) <= allowed);
-    if (!fits && !divides_sheet(a, b, curve, on_a[i], allowed)) {
+    const bool left_out =
+        b_ends && is_matched(on_a[i], on_b[i]) && divides_sheet(b, a, curve, on_b[i], allowed);
+    if (!fits && !left_out && !divides_sheet(a, b, curve, on_a[i], allowed)) {
       result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
                                  " are not divided alike along their intersection");
       add_notes(a, use.face_a, result);

@@ -39,14 +39,18 @@ std::vector<std::string> invalid_as_given(const SolidAnswer& answer) {
   return told;
 }
 
-std::vector<std::string> idle_planes(const SolidAnswer& answer) {
+// Tools that are to cut, and of which nothing is in the result.
+std::vector<std::string> idle_tools(const SolidAnswer& answer) {
+  const std::size_t all = answer.tools.size() + answer.planes.size();
+  const bool cuts = answer.operation == "cut" || answer.operation == "split";
+  const std::size_t first = cuts ? 0 : answer.tools.size();
   std::vector<std::string> told;
-  for (std::size_t i = 0; i < answer.planes.size() && !answer.made.solids.empty(); ++i) {
-    const int tool = static_cast<int>(answer.tools.size() + i);
-    if (std::ranges::none_of(answer.made.faces,
-                             [tool](const occt::SolidFace& face) { return face.tool == tool; }))
-      told.push_back(plane_name(i) + " cuts nothing of what is in the result");
-  }
+  for (std::size_t i = first; i < all && !answer.made.solids.empty(); ++i)
+    if (std::ranges::none_of(answer.made.faces, [i](const occt::SolidFace& face) {
+          return face.tool == static_cast<int>(i);
+        }))
+      told.push_back(tool_name(answer, static_cast<int>(i)) +
+                     " cuts nothing of what is in the result");
   return told;
 }
 
@@ -146,7 +150,7 @@ occt::Model sheets_model(const occt::SolidTrimResult& made, const occt::Model& p
 
 void note_faces(SolidAnswer& answer) {
   answer.invalid = invalid_as_given(answer);
-  answer.idle = idle_planes(answer);
+  answer.idle = idle_tools(answer);
 }
 
 std::vector<std::string> causes(const occt::SolidTrimResult& made) {

@@ -28,14 +28,14 @@ struct SolidAnswer {
   std::string operation{};
   occt::SolidTrimResult made{};
   std::vector<std::string> invalid{};  ///< faces of the result that were given so
-  std::vector<std::string> idle{};     ///< planes in which no face of the result lies
+  std::vector<std::string> idle{};     ///< tools and planes of which nothing is in the result
   std::optional<WatertightPieces> watertight{};
   bool written = false;
   double seconds = 0;
   Json repairs = Json::array();  ///< of all inputs
 };
 
-/// Notes what of the result was invalid as it was given, and which planes cut nothing of it.
+/// Notes what of the result was invalid as it was given, and which tools cut nothing of it.
 void note_faces(SolidAnswer& answer);
 
 /// Where the faces of a solid or a sheet come from, those of the part first. Faces that two solids

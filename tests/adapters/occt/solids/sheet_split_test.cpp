@@ -139,6 +139,22 @@ TEST(SheetSplit, WhatHasOneBodyOnBothSidesDividesNothing) {
   expect_split(ring, {flat({0, 0, 0}, {0, 1, 0}, 9)}, {3 * kPi * kPi, 3 * kPi * kPi});
 }
 
+TEST(SheetSplit, ASheetThatEndsInsideOfThePartDividesNothing) {
+  const TopoDS_Shape half = flat({1, 1, 1}, {1, 0, 0}, 1);  // to y = 2 and z = 2
+  expect_split(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(2, 2, 3)).Shape(), {half}, {12});
+  expect_split(BRepPrimAPI_MakeSphere(gp_Pnt(1, 0, 0), 1.5).Shape(), {half}, {4.5 * kPi});
+}
+
+TEST(SheetSplit, WhatOfASheetEndsInsideOfThePartIsLeftOut) {
+  // Its first two faces take a corner off, and the last one ends in the middle.
+  const TopoDS_Shape bent = folded({{-1, 1, -1}, {1, 1, -1}, {1, 3, -1}});
+  BRepBuilderAPI_Sewing sewing(1e-7, true, true, true, true);
+  sewing.Add(bent);
+  sewing.Add(folded({{1, 1, -1}, {1.5, 1, -1}}));
+  sewing.Perform();
+  expect_split(cube(), {sewing.SewedShape()}, {2, 6});
+}
+
 TEST(SheetSplit, ASheetBesideThePartLeavesItWhole) {
   expect_split(cube(), {flat({1, 1, 5}, {0, 0, 1}, 5)}, {8});
 }
