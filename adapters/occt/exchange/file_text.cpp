@@ -63,11 +63,20 @@ bool starts_like(std::string_view text, std::string_view upper) {
          });
 }
 
+/// The first line that has more than blanks.
+std::string_view first_line(std::string_view text) {
+  for (;;) {
+    const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+    if (line.size() == text.size() || !std::ranges::all_of(line, is_blank)) return line;
+    text.remove_prefix(line.size() + 1);
+  }
+}
+
 /// A line of IGES has the letter of its section in column 73 and a number in the seven columns
 /// behind it. The first section, S, may be missing; C comes before it in the compressed form.
 bool is_iges(std::string_view text) {
   constexpr std::size_t kSectionColumn = 72;
-  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  const std::string_view line = first_line(text);
   if (line.size() <= kSectionColumn) return false;
   if (std::string_view("SGC").find(line[kSectionColumn]) == std::string_view::npos) return false;
   return std::ranges::all_of(line.substr(kSectionColumn + 1, 7), [](char c) {

@@ -110,6 +110,10 @@ TEST(IgesTexts, AreReadWithAnyEndsOfLines) {
   }
 }
 
+TEST(IgesTexts, AreReadBehindBlankLines) {
+  EXPECT_EQ(read_text("\n  \r\n" + sheet().text()).face_count(), 1);
+}
+
 TEST(IgesTexts, InCompressedFormAreRefusedAsSuch) {
   EXPECT_EQ(refusal_of(left("", 72) + "C      1\n" + sheet().text()),
             "is in the compressed form of IGES, which Open CASCADE does not read");
