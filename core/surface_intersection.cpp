@@ -121,17 +121,14 @@ SurfaceIntersection at_best_tolerance(const BoxedSurface& a, const BoxedSurface&
                                       const IntersectionOptions& options) {
   auto [found, rest] = in_best_patches(a, b, options);
   const double tolerance = options.tolerances.point;
-  const bool passes = ends_beside_node(found);
-  if (!may_gain(a, b, found, options) && !passes) return std::move(found);
+  if (!may_gain(a, b, found, options) && !ends_beside_node(found)) return std::move(found);
   for (const double part : kFinerTolerances) {
     if (!rest) break;
     if (!may_be_settled(found, part * tolerance)) continue;
     const Clock::time_point started = Clock::now();
     rest->tolerances.point = part * tolerance;
     SurfaceIntersection finer = assembled(a, b, *rest);
-    if (is_settled(found, finer, tolerance, part * tolerance) ||
-        (passes && finer.status != Status::Stopped && finer.nodes.empty()))
-      return settled(std::move(finer));
+    if (is_settled(found, finer, tolerance, part * tolerance)) return settled(std::move(finer));
     rest = rest_of(*rest, started, finer.certificate);
   }
   return std::move(found);

@@ -42,6 +42,12 @@ bool may_hold(const Place& place, const SurfaceIntersection& found, double toler
   return false;
 }
 
+// A curve that was cut beside a node is whole where no node is left, whatever touches elsewhere.
+bool decides(const SurfaceIntersection& finer, const SurfaceIntersection& found) {
+  return finer.status == Status::Complete ||
+         (ends_beside_node(found) && finer.status == Status::Tolerance && finer.nodes.empty());
+}
+
 }  // namespace
 
 bool ends_beside_node(const SurfaceIntersection& found) {
@@ -64,7 +70,7 @@ bool may_be_settled(const SurfaceIntersection& found, double finer_tolerance) {
 
 bool is_settled(const SurfaceIntersection& found, const SurfaceIntersection& finer,
                 double tolerance, double finer_tolerance) {
-  if (finer.status != Status::Complete || !may_be_settled(found, finer_tolerance)) return false;
+  if (!decides(finer, found) || !may_be_settled(found, finer_tolerance)) return false;
   return std::ranges::all_of(found.places, [&](const Place& place) {
     if (place.kind == PlaceKind::Open) return may_hold(place, finer, tolerance);
     return place.gap_low <= finer_tolerance || holds_point(place, finer, tolerance);

@@ -300,5 +300,49 @@ TEST(HighOrderNodes, BranchesThatPassEachOtherWithinToleranceAreWhole) {
   }
 }
 
+// A patch, one ruled from its last border to the first one of the other, and that one.
+BezierSurface joined_by_ruled(const RationalBezierPatch& first, const RationalBezierPatch& last) {
+  const int n = first.points.rows() - 1;
+  RationalBezierPatch between = first;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j < first.points.columns(); ++j)
+      between.points(i, j) = first.points(n, j) + (last.points(0, j) - first.points(n, j)) *
+                                                      (static_cast<double>(i) / n);
+  BezierSurface surface{.u_knots = {0, 1, 2, 3}, .v_knots = {0, 1}};
+  surface.patches = Grid<RationalBezierPatch>(3, 1);
+  surface.patches(0, 0) = first;
+  surface.patches(1, 0) = between;
+  surface.patches(2, 0) = last;
+  return surface;
+}
+
+// The same beside a bump that the floor misses by half the tolerance: the finer search that tells
+// the branches apart does not see the near miss, and must not lose it.
+TEST(HighOrderNodes, BranchesThatPassEachOtherHideNoNearMiss) {
+  const Star star{0.5, 0.5, 2, {1, 1.6, 2.2}};
+  const double slope = 0.4 * kTolerance / std::cbrt(8 * kTolerance / (star.scale / 4));
+  const RationalBezierPatch crossed = star.graph().patches(0, 0);
+  const int degree = crossed.points.rows() - 1;
+  const BezierFunction2 x = bilinear(-0.5, 1, 0), y = bilinear(-0.5, 0, 1);
+  const BezierFunction2 xx = elevated(product(x, x), degree, degree),
+                        yy = elevated(product(y, y), degree, degree);
+  RationalBezierPatch bump = crossed;
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; j <= degree; ++j) {
+      Vec4& p = bump.points(i, j);
+      p[0] += 2;
+      p[2] = xx.points(i, j) + yy.points(i, j) + slope * (p[0] - star.x) + 0.5 * kTolerance;
+    }
+  BezierSurface floor = floor_below();
+  for (Vec4& p : floor.patches(0, 0).points.values()) {
+    if (p[0] > 0) p[0] += 2;
+    p[2] = slope * (p[0] - star.x);
+  }
+  const SurfaceIntersection found = found_of(joined_by_ruled(crossed, bump), floor);
+  EXPECT_TRUE(std::ranges::any_of(found.places, [](const Place& place) {
+    return place.box_low[0] <= 2.5 && 2.5 <= place.box_high[0];
+  }));
+}
+
 }  // namespace
 }  // namespace blossom
