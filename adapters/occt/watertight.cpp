@@ -31,6 +31,7 @@
 #include "adapters/occt/faces/watertight_faces.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/splitting/edges/edge_joins.h"
+#include "core/base/disjoint_sets.h"
 #include "core/math/index.h"
 
 namespace blossom::occt {
@@ -46,19 +47,16 @@ class UnitedVertices {
  public:
   int number_of(const TopoDS_Vertex& vertex) {
     const int number = numbers_.Add(vertex) - 1;
-    if (index(number) == first_.size()) first_.push_back(number);
+    if (index(number) == sets_.size()) sets_.add();
     return number;
   }
 
   /// The number that stands for all that a number has been united with.
-  int root(int number) const {
-    while (first_[index(number)] != number) number = first_[index(number)];
-    return number;
-  }
+  int root(int number) { return static_cast<int>(sets_.find(index(number))); }
 
   void unite(const TopoDS_Vertex& a, const TopoDS_Vertex& b) {
     const int root_a = root(number_of(a)), root_b = root(number_of(b));
-    first_[index(std::max(root_a, root_b))] = std::min(root_a, root_b);
+    sets_.join(index(std::max(root_a, root_b)), index(std::min(root_a, root_b)));
   }
 
   std::vector<Vec3> points() const {
@@ -72,7 +70,7 @@ class UnitedVertices {
 
  private:
   TopTools_IndexedMapOfShape numbers_;
-  std::vector<int> first_;
+  DisjointSets sets_;
 };
 
 // What two borders have in common: a curve between them.

@@ -2,8 +2,8 @@
 #include "core/surfaces/contacts/contact_extent.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom {
@@ -87,28 +87,27 @@ bool ContactExtent::ends_in(const ContactChain& chain, const ContactChain& clust
 
 void ContactExtent::measure_across(std::vector<ContactChain>& chains,
                                    std::size_t clusters_from) const {
-  std::vector<std::size_t> group(clusters_from);
-  std::iota(group.begin(), group.end(), std::size_t{0});
+  DisjointSets groups(clusters_from);
   for (std::size_t c = clusters_from; c < chains.size(); ++c) {
     std::size_t first = clusters_from;
     for (std::size_t i = 0; i < clusters_from; ++i) {
       if (!ends_in(chains[i], chains[c])) continue;
-      if (first == clusters_from) first = group[i];
-      std::replace(group.begin(), group.end(), std::size_t{group[i]}, first);
+      if (first == clusters_from) first = i;
+      groups.join(i, first);
     }
   }
   for (std::size_t g = 0; g < clusters_from; ++g) {
     ContactSteps steps;
     double length = 0;
     for (std::size_t i = 0; i < clusters_from; ++i) {
-      if (group[i] != g) continue;
+      if (groups.find(i) != g) continue;
       const ContactSteps more = steps_of(chains[i]);
       steps.insert(steps.end(), more.begin(), more.end());
       length += chains[i].length;
     }
     if (!is_strip(steps, length)) continue;
     for (std::size_t i = 0; i < clusters_from; ++i)
-      if (group[i] == g) chains[i].curve = true;
+      if (groups.find(i) == g) chains[i].curve = true;
   }
 }
 
