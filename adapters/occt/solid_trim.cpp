@@ -268,9 +268,8 @@ SolidTrimResult trimmed_sheets(const TrimTool& part, const std::vector<TrimTool>
   const SharedLimit limit(options);
   const WorkLimit own_limit(options);
   const TrueInputs sound(part, tools, own_limit);
-  IntersectionOptions left = limit.remaining();
-  left.threads = options.threads;
-  SolidTrimResult result = trim_sheets(sound.part(), sound.tools(), operation, left);
+  SolidTrimResult result =
+      trim_sheets(sound.part(), sound.tools(), operation, limit.remaining_alone());
   result.tolerances = sound.told();
   return result;
 } catch (const Failure& error) {  // the limit, before anything was divided
@@ -304,9 +303,7 @@ SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimT
   if (result.obstacles.empty() || stated.tolerances.point == options.tolerances.point ||
       limit.is_reached())
     return result;
-  IntersectionOptions left = limit.remaining();
-  left.threads = options.threads;
-  SolidTrimResult finer = combine(part, tools, operation, left);
+  SolidTrimResult finer = combine(part, tools, operation, limit.remaining_alone());
   if (!finer.obstacles.empty()) return result;
   finer.status = weaker(finer.status, Status::Tolerance);
   return finer;

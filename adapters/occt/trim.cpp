@@ -401,8 +401,7 @@ TrimResult trim(const std::vector<PartFace>& part, const std::vector<TrimTool>& 
     faces = divided_by_solids(part, tools, options, result);
   if (!faces) {
     TrimOptions left = options;
-    left.intersection = limit.remaining();
-    left.intersection.threads = options.intersection.threads;
+    left.intersection = limit.remaining_alone();
     faces = divided_one_by_one(part, tools, left, result);
   }
   for (const TrimTool& tool : tools) {

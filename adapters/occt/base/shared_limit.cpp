@@ -20,6 +20,12 @@ IntersectionOptions SharedLimit::remaining() const {
   return left;
 }
 
+IntersectionOptions SharedLimit::remaining_alone() const {
+  IntersectionOptions left = remaining();
+  left.threads = options_.threads;
+  return left;
+}
+
 bool SharedLimit::is_reached() const {
   if (options_.time_limit > 0 && seconds() >= options_.time_limit) return true;
   const std::lock_guard lock(asking_);

@@ -23,6 +23,9 @@ class SharedLimit {
   /// function is asked by one of them at a time.
   IntersectionOptions remaining() const;
 
+  /// The same for a step that runs alone: on as many threads as the job.
+  IntersectionOptions remaining_alone() const;
+
   /// Whether no time is left, or the caller wants an end.
   bool is_reached() const;
 
