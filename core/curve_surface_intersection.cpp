@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/curves/curve_closing.h"
 #include "core/curves/with_surfaces/curve_surface_assembly.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 // The middle of the curve's control points.
 Vec3 origin_of(const CurveSpans& curve) {
-  Vec3 low{1e300, 1e300, 1e300}, high = -low;
+  Vec3 low{kUnbounded, kUnbounded, kUnbounded}, high = -low;
   for (const CurveSpan& span : curve.spans)
     for (const Vec4& p : span.curve.points)
       for (int k = 0; k < 3; ++k) {

@@ -12,14 +12,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/math/vec.h"
 
 namespace blossom {
 
 /// An axis-parallel box. The empty box has low > high.
 struct Box {
-  Vec3 low{1e300, 1e300, 1e300};
-  Vec3 high{-1e300, -1e300, -1e300};
+  Vec3 low{kUnbounded, kUnbounded, kUnbounded};
+  Vec3 high{-kUnbounded, -kUnbounded, -kUnbounded};
 };
 
 /// True if the boxes have a point in common; borders count.

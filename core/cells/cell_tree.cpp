@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/unbounded.h"
 #include "core/cells/net_ranges.h"
 #include "core/math/roundoff.h"
 #include "core/subdivision/growth.h"
@@ -163,9 +164,9 @@ double CellTree::piece_rounding(const RationalBezierPatch& piece, const Interval
   const double given = given_rounding_ + 4 * kUnitRoundoff * hull_scale_;
   const double growth = bezier_growth(n, u) * bezier_growth(m, v);
   if (growth <= 1) return given + 2 * error * hull_scale_;
-  double least = 1e300, reach = 0;
+  double least = kUnbounded, reach = 0;
   for (const Vec4& p : piece.points.values()) {
-    if (!(p[3] > 0)) return 1e300;
+    if (!(p[3] > 0)) return kUnbounded;
     least = std::min(least, p[3]);
     reach = std::max(reach, max_norm(Vec3{p[0], p[1], p[2]}) / p[3]);
   }

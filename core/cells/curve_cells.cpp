@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unbounded.h"
 #include "core/bounds/value_arithmetic.h"
 #include "core/cells/limits.h"
 #include "core/math/roundoff.h"
@@ -19,7 +20,7 @@ constexpr double kSlack = 1e-13;  // covers the few roundings of a bound
 ValueRange difference_range(const double* values, int count, int order) {
   const int n = count - 1;
   if (order > n) return {0, 0};
-  ValueRange range{1e300, -1e300};
+  ValueRange range{kUnbounded, -kUnbounded};
   for (int i = 0; i + order <= n; ++i) {
     const double d =
         order == 1 ? values[i + 1] - values[i] : values[i + 2] - 2 * values[i + 1] + values[i];
@@ -59,7 +60,7 @@ double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 ValueRange range_along(const CurveCell& cell, int dimension, const Vec3& direction) {
   const int n = cell.points;
-  ValueRange range{1e300, -1e300};
+  ValueRange range{kUnbounded, -kUnbounded};
   for (int i = 0; i < n; ++i) {
     double value = direction[0] * cell.hull[i] + direction[1] * cell.hull[n + i];
     if (dimension == 3) value += direction[2] * cell.hull[2 * n + i];
@@ -250,7 +251,7 @@ void CurveTree::bound_in_plane(CurveCell& cell) const {
   const Vec2 axis = unit(Vec2{x[n - 1] - x[0], y[n - 1] - y[0]});
   cell.axis = {axis[0], axis[1], 0};
   if (axis == Vec2{}) return;
-  ValueRange across{1e300, -1e300};
+  ValueRange across{kUnbounded, -kUnbounded};
   for (int i = 0; i < n; ++i) {
     const double value = axis[0] * y[i] - axis[1] * x[i];
     across.low = std::min(across.low, value);
@@ -258,7 +259,7 @@ void CurveTree::bound_in_plane(CurveCell& cell) const {
   }
   cell.across = padded(across, 2 * cell.margin);
   Vec2 right{x[1] - x[0], y[1] - y[0]}, left = right;
-  double least = 1e300;
+  double least = kUnbounded;
   for (int i = 0; i + 1 < n; ++i) {
     const Vec2 leg{x[i + 1] - x[i], y[i + 1] - y[i]};
     if (!(dot(axis, leg) > 4 * cell.margin)) return;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
 #include "core/subdivision/patch_subdivision.h"
 
@@ -123,8 +124,8 @@ bool is_injective(const DirectionCones& cones, bool may_jump) {
 // --- cells
 
 struct ProjectedRange {
-  double low = 1e300;
-  double high = -1e300;
+  double low = kUnbounded;
+  double high = -kUnbounded;
   void add(double x) {
     low = std::min(low, x);
     high = std::max(high, x);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/unbounded.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
@@ -27,7 +28,7 @@ RationalBezierPatch steps_of(const RationalBezierPatch& patch, bool by_u) {
 Interval range_over(const RationalBezierPatch& patch, const Interval& u, const Interval& v,
                     double rounding) {
   const RationalBezierPatch piece = sub_patch(patch, u, v);
-  Interval range{1e300, -1e300};
+  Interval range{kUnbounded, -kUnbounded};
   for (const Vec4& p : piece.points.values()) {
     range.from = std::min(range.from, p[0]);
     range.to = std::max(range.to, p[0]);
@@ -143,7 +144,7 @@ VectorBounds FlatBorder::bounds(const RationalBezierPatch& slope, const SlopeNet
   for (int k = 0; k < 3; ++k) {
     Interval range = third;
     if (k < 2) {
-      range = {1e300, -1e300};
+      range = {kUnbounded, -kUnbounded};
       for (const Vec4& p : slope.points.values()) {
         const double x = dot(axes_[static_cast<std::size_t>(k)], Vec3{p[0], p[1], p[2]});
         range = {std::min(range.from, x), std::max(range.to, x)};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 
+#include "core/base/unbounded.h"
 #include "core/forms/curve.h"
 #include "core/math/four.h"
 
@@ -122,7 +123,7 @@ BLOSSOM_HOT Range height_range(const double* points, int rows, int columns, cons
     return normal[0] * p[0] + normal[1] * p[size] + normal[2] * p[2 * size] -
            (only_y[at] + by_x + less.xy * x * y[at]);
   };
-  Range all{1e300, -1e300};
+  Range all{kUnbounded, -kUnbounded};
   for (int i = 0; i < rows; ++i) {
     const double x = first_power(i, rows - 1);
     const double by_x = less.x * x + less.xx * second_power(i, rows - 1);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unbounded.h"
 #include "core/bounds/value_arithmetic.h"
 
 namespace blossom {
@@ -44,7 +45,7 @@ template <int kDimension>
 ValueRange values_along(const CurveCell& cell, const Vec3& direction, double* values) {
   const int n = cell.points;
   const double *x = cell.hull, *y = x + n, *z = y + n;
-  ValueRange range{1e300, -1e300};
+  ValueRange range{kUnbounded, -kUnbounded};
   for (int i = 0; i < n; ++i) {
     double value = direction[0] * x[i] + direction[1] * y[i];
     if constexpr (kDimension == 3) value += direction[2] * z[i];

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/curves/curve_assembly.h"
 #include "core/curves/curve_closing.h"
 #include "core/curves/curve_search.h"
@@ -13,8 +14,8 @@ namespace blossom {
 namespace {
 
 struct Extent {
-  Vec3 low{1e300, 1e300, 1e300};
-  Vec3 high{-1e300, -1e300, -1e300};
+  Vec3 low{kUnbounded, kUnbounded, kUnbounded};
+  Vec3 high{-kUnbounded, -kUnbounded, -kUnbounded};
 
   void add(const CurveSpans& curve) {
     for (const CurveSpan& span : curve.spans)

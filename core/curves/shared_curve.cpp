@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/unbounded.h"
 #include "core/forms/algebra/products.h"
 #include "core/forms/evaluation.h"
 #include "core/subdivision/curve_subdivision.h"
@@ -77,7 +78,7 @@ double foot(const RationalBezierCurve& b, const Vec3& point, double t) {
 struct Homogeneous {
   BezierFunction weight;
   BezierCurve point;
-  double largest_weight = 0, least_weight = 1e300, largest_point = 0;
+  double largest_weight = 0, least_weight = kUnbounded, largest_point = 0;
 };
 
 Homogeneous parts_of(const RationalBezierCurve& curve) {
@@ -96,10 +97,10 @@ Homogeneous parts_of(const RationalBezierCurve& curve) {
 
 double distance_bound(const RationalBezierCurve& a, const RationalBezierCurve& b, double error) {
   const Homogeneous p = parts_of(a), q = parts_of(b);
-  if (!(p.least_weight > 0 && q.least_weight > 0)) return 1e300;
+  if (!(p.least_weight > 0 && q.least_weight > 0)) return kUnbounded;
   const BezierCurve left = product(q.weight, p.point), right = product(p.weight, q.point);
   const BezierFunction weight = product(p.weight, q.weight);
-  double worst = 0, least = 1e300;
+  double worst = 0, least = kUnbounded;
   for (std::size_t i = 0; i < left.points.size(); ++i) {
     worst = std::max(worst, norm(left.points[i] - right.points[i]));
     least = std::min(least, weight.points[i]);

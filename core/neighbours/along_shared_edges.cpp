@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/base/unbounded.h"
 #include "core/neighbours/limits.h"
 
 namespace blossom {
@@ -14,7 +15,7 @@ constexpr int kFootSteps = 8;     // to the nearest point of a shared edge
 
 // From the nearest chord between its samples on by Newton's method.
 double distance_to(const IntersectionCurve& edge, const Vec3& p) {
-  double least = 1e300, nearest = 0;
+  double least = kUnbounded, nearest = 0;
   for (std::size_t i = 0; i + 1 < edge.samples.size(); ++i) {
     const Vec3 from = edge.samples[i].point, step = edge.samples[i + 1].point - from;
     const double square = dot(step, step);
@@ -35,7 +36,7 @@ double distance_to(const IntersectionCurve& edge, const Vec3& p) {
 }
 
 double distance_to(const std::vector<SharedEdge>& edges, const Vec3& p) {
-  double least = 1e300;
+  double least = kUnbounded;
   for (const SharedEdge& edge : edges) least = std::min(least, distance_to(edge.curve, p));
   return least;
 }

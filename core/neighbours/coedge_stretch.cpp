@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <queue>
 
+#include "core/base/unbounded.h"
 #include "core/neighbours/limits.h"
 
 namespace blossom {
@@ -127,7 +128,7 @@ bool keeps_inside(const PlanarBezier& other, const PlanarBezier& piece,
     return true;
   const Vec2 chord = projected(piece.points.back()) - projected(piece.points.front());
   const double side = stretch.inner * (k == 0 ? chord[0] : -chord[1]) > 0 ? 1 : -1;
-  double highest = -1e300, lowest = 1e300, farthest = -1e300;
+  double highest = -kUnbounded, lowest = kUnbounded, farthest = -kUnbounded;
   for (const Vec3& p : piece.points)
     highest = std::max(highest, side * cross(chord, projected(p) - of_piece.low));
   for (const Vec3& p : other.points) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/base/unbounded.h"
 #include "core/blossom/composition.h"
 #include "core/forms/algebra/degree.h"
 #include "core/subdivision/curve_subdivision.h"
@@ -51,7 +52,7 @@ class Lifting {
     bool inside = true;
     for (std::size_t k = 0; k < 2; ++k) {
       const int axis = static_cast<int>(k);
-      double low = 1e300, high = -1e300;
+      double low = kUnbounded, high = -kUnbounded;
       for (const Vec3& p : curve.points) {
         low = std::min(low, p[axis] / p[2]);
         high = std::max(high, p[axis] / p[2]);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/topology/curve_clip.h"
 #include "core/topology/curve_clip_detail.h"
 
@@ -145,7 +146,7 @@ std::vector<Interval> united(std::vector<Interval> intervals) {
 }
 
 PlanarBox box_of_poles(const Spline2& chart, const Vec2& scale) {
-  PlanarBox box{{1e300, 1e300}, {-1e300, -1e300}};
+  PlanarBox box{{kUnbounded, kUnbounded}, {-kUnbounded, -kUnbounded}};
   for (const Vec2& p : chart.points)
     for (int k = 0; k < 2; ++k) {
       box.low[k] = std::min(box.low[k], p[k] * scale[k]);

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/base/tolerances.h"
+#include "core/base/unbounded.h"
 #include "core/base/work_limit.h"
 #include "core/forms/surface.h"
 #include "core/results/result.h"
@@ -20,9 +21,9 @@ namespace blossom {
 
 struct FitOptions {
   double tolerance = Tolerances{}.point;  ///< wanted agreement of the three images, model units
-  double gap = 0;       ///< distance of the surfaces along the curve; the images agree no better
-  double size = 1;      ///< diagonal of the larger surface: samples get chords within 1e-4 of it
-  double most = 1e300;  ///< deviation of a curve that is still worth returning
+  double gap = 0;   ///< distance of the surfaces along the curve; the images agree no better
+  double size = 1;  ///< diagonal of the larger surface: samples get chords within 1e-4 of it
+  double most = kUnbounded;         ///< deviation of a curve that is still worth returning
   const WorkLimit* work = nullptr;  ///< when to give up; null: never
 };
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/unbounded.h"
 #include "core/math/roundoff.h"
 #include "core/tracing/image_series.h"
 #include "core/tracing/local_form.h"
@@ -226,7 +227,7 @@ std::optional<ImageGap> ImageGaps::composed(const RationalBezierPatch& patch, co
 ImageGaps::Slopes ImageGaps::slopes_of(const RationalBezierPatch& patch) {
   const Vec4& corner = patch.points(0, 0);
   const Vec3 centre = projected(corner);
-  double radius = 0, least = 1e300;
+  double radius = 0, least = kUnbounded;
   Grid<Vec3> net(patch.points.rows(), patch.points.columns());
   for (int i = 0; i < net.rows(); ++i)
     for (int j = 0; j < net.columns(); ++j) {
@@ -246,7 +247,7 @@ ImageGaps::Slopes ImageGaps::slopes_of(const RationalBezierPatch& patch) {
       if (i + 1 < net.rows()) slopes.u = std::max(slopes.u, step(i, j, i + 1, j));
       if (j + 1 < net.columns()) slopes.v = std::max(slopes.v, step(i, j, i, j + 1));
     }
-  if (!(least > 0)) return {1e300, 1e300};
+  if (!(least > 0)) return {kUnbounded, kUnbounded};
   slopes.u *= patch.degree_u() / least;
   slopes.v *= patch.degree_v() / least;
   return slopes;

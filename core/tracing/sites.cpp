@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/base/unbounded.h"
 #include "core/math/four.h"
 
 namespace blossom {
@@ -159,7 +160,7 @@ bool on_knot(const std::vector<double>& knots, double parameter) {
 // nearest parameter.
 double distance_from(const QuinticPiece& piece, const Vec3& point) {
   constexpr double kSecant = 1e-4;  // part of the piece: a difference in place of a derivative
-  double best = 1e300, t = 0.5;
+  double best = kUnbounded, t = 0.5;
   for (int step = 0; step < 6; ++step) {
     const Vec3 x = space(value_at(piece.points, t));
     const double gap = distance(x, point);

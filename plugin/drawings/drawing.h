@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "adapters/occt/plane_section.h"
+#include "core/base/unbounded.h"
 #include "core/math/vec.h"
 
 namespace blossom::drawings {
@@ -58,7 +59,7 @@ DrawnPart drawn(const occt::PlaneSection& section, const DrawingFrame& frame, do
 
 /// The rectangle round all of it; low above high if there is nothing.
 struct DrawingBox {
-  Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+  Vec2 low{kUnbounded, kUnbounded}, high{-kUnbounded, -kUnbounded};
   bool is_empty() const { return low[0] > high[0]; }
   void add(const Vec2& point);
   void add(const DrawnPlane& plane);

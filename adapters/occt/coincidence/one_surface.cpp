@@ -17,6 +17,7 @@
 #include "adapters/occt/faces/pairs/edge_contacts.h"
 #include "adapters/occt/faces/pairs/run_curves.h"
 #include "adapters/occt/faces/surface_projector.h"
+#include "core/base/unbounded.h"
 #include "core/bounds/box_tree.h"
 #include "core/neighbours/along_shared_edges.h"
 #include "core/results/contact_places.h"
@@ -36,7 +37,7 @@ Vec3 inwards(const OutlineEdge& of, const Handle(Geom_Surface) & surface, double
 }
 
 double distance_to(const std::vector<SurfacePoint>& polygon, const Vec3& p) {
-  double least = 1e300;
+  double least = kUnbounded;
   for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
     const Vec3 from = polygon[i].point, step = polygon[i + 1].point - from;
     const double square = dot(step, step);

@@ -22,6 +22,7 @@
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/surfaces.h"
+#include "core/base/unbounded.h"
 
 namespace blossom::occt {
 namespace {
@@ -67,7 +68,7 @@ std::optional<Elementary> elementary_of(const Adaptor3d_Surface& surface) {
 
 // Where a line is inside of a box; empty, from > to, if it misses it.
 Interval inside(const Box& box, const Vec3& start, const Vec3& direction) {
-  Interval range{-1e300, 1e300};
+  Interval range{-kUnbounded, kUnbounded};
   for (int k = 0; k < 3; ++k) {
     if (direction[k] == 0) {
       if (start[k] < box.low[k] || start[k] > box.high[k]) return {1, 0};

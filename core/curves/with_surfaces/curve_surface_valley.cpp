@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unbounded.h"
 #include "core/bounds/interval_pairs.h"
 #include "core/bounds/value_arithmetic.h"
 #include "core/cells/cell_bend.h"
@@ -329,7 +330,7 @@ class CurveSurfaceValley {
   std::array<ValueRange, 2> speed_;  // of the foot, by the piece's own [0, 1]
   std::array<double, 2> second_{};
   double fastest_ = 0;
-  double sign_ = 1, least_bend_ = -1e300, most_bend_ = 1e300;
+  double sign_ = 1, least_bend_ = -kUnbounded, most_bend_ = kUnbounded;
   double half_run_ = 0, length_ = 0;
   Side guess_;
   Vec2 guess_rate_;

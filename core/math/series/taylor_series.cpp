@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/base/unbounded.h"
 #include "core/math/four.h"
 #include "core/math/functions/quadratic.h"
 
@@ -400,7 +401,7 @@ BLOSSOM_HOT TaylorRange range(const TaylorPolynomial& p, double rx, double ry) {
     }
     rows[i] = {low, high};
   }
-  Four least = Four{} + 1e300, most = -least;
+  Four least = Four{} + kUnbounded, most = -least;
   for (int nu = 0; nu <= K; ++nu) {
     Four low{}, high{};
     for (int i = 0; i <= K; ++i) {

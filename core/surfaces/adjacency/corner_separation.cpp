@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unbounded.h"
+
 namespace blossom {
 namespace {
 
@@ -30,7 +32,7 @@ struct SeenFrom {
 
   // The least height of what is not at the corner.
   double least_height(const Vec3& corner, const Vec3& normal, int points, double near) const {
-    double least = 1e300;
+    double least = kUnbounded;
     for (int i = 0; i < points; ++i) {
       const Vec3 x = point(corner, i, points);
       if (norm(x) > near) least = std::min(least, dot(normal, x));

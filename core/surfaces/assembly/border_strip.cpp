@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/unbounded.h"
 #include "core/surfaces/branches/found_places.h"
 
 namespace blossom {
@@ -16,7 +17,7 @@ bool BorderStrip::holds(const Vec3& point) const {
 BorderStrip border_strip(const SurfaceCells& a, const SurfaceCells& b, const Vec3& origin,
                          const std::vector<CriticalPair>& pairs, double tolerance) {
   BorderStrip strip{{}, {PlaceKind::Tangential, {}, {}, 0, tolerance, {}}};
-  strip.place.parameters.fill({1e300, -1e300});
+  strip.place.parameters.fill({kUnbounded, -kUnbounded});
   Box all;
   for (const CriticalPair& pair : pairs) {
     strip.boxes.push_back({pair.low + origin, pair.high + origin});

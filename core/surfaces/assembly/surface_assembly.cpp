@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "core/base/unbounded.h"
 #include "core/base/work_limit.h"
 #include "core/cells/limits.h"
 #include "core/forms/evaluation.h"
@@ -173,8 +174,8 @@ class Assembly {
 
   void add_overlap(SurfaceCells& cells_a, SurfaceCells& cells_b, const OverlapRegion& region) {
     Overlap overlap;
-    Place place{PlaceKind::Overlap, {}, {}, 1e300, 0, {}};
-    place.parameters.fill({1e300, -1e300});
+    Place place{PlaceKind::Overlap, {}, {}, kUnbounded, 0, {}};
+    place.parameters.fill({kUnbounded, -kUnbounded});
     Box box;
     std::vector<std::vector<SurfacePoint>> loops;
     for (const BoundaryLoop& loop : region.loops) {
@@ -306,8 +307,8 @@ class Assembly {
   }
 
   void add_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const ContactChain& contact) {
-    Place place{PlaceKind::Tangential, {}, {}, 1e300, 0, {}};
-    place.parameters.fill({1e300, -1e300});
+    Place place{PlaceKind::Tangential, {}, {}, kUnbounded, 0, {}};
+    place.parameters.fill({kUnbounded, -kUnbounded});
     bool known = true;
     for (const ContactPoint& p : contact.path) {
       const SurfacePoint x = surface_point(cells_a, cells_b, origin_, p);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom {
@@ -37,7 +38,7 @@ std::array<Interval, 4> parameters_of(const SurfaceCells& a, const SurfaceCells&
                                       const std::vector<CriticalPair>& critical,
                                       const CriticalCluster& cluster) {
   std::array<Interval, 4> all;
-  all.fill({1e300, -1e300});
+  all.fill({kUnbounded, -kUnbounded});
   for (const int i : cluster.pairs) {
     const std::array one = parameters_of(a, b, critical[static_cast<std::size_t>(i)]);
     for (std::size_t k = 0; k < 4; ++k) {

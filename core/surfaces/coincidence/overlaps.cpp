@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/coincidence/border_overlaps.h"
 
@@ -417,7 +418,7 @@ class OverlapFinder {
       }
     }
     pair_bands(bands);
-    areas.resize(result_.regions.size(), 1e300);
+    areas.resize(result_.regions.size(), kUnbounded);
     for (ChartLoop& hole : holes) {
       int best = -1;
       for (std::size_t i = 0; i < result_.regions.size(); ++i)

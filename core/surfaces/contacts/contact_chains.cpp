@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/not_zero.h"
+#include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_extent.h"
 #include "core/surfaces/contacts/contact_reach.h"
@@ -296,7 +297,7 @@ class Joiner {
       middle[k] = at(pair.box[k], 0.5);
       reach = std::max(reach, 1.5 * length(pair.box[k]));
     }
-    Closest best{{pair.patch_a, pair.patch_b, middle, 1e300}};
+    Closest best{{pair.patch_a, pair.patch_b, middle, kUnbounded}};
     const auto consider = [&](const std::optional<Point4>& found, bool normal) {
       if (!found) return;
       const Point4 x = moved_into(patch_a, patch_b, *found, kPolishReach);
@@ -323,7 +324,7 @@ class Joiner {
     chain.length = diagonal(cluster.box);
     chain.regular = crosses_regularly(found_, cluster.pairs, a_, b_);
     Closest best;
-    best.point.gap = 1e300;
+    best.point.gap = kUnbounded;
     const auto consider = [&](int index) {
       const Closest next = closest_in(found_.critical[static_cast<std::size_t>(index)]);
       if (next.is_better_than(best, most_rounding())) best = next;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/not_zero.h"
+#include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/gap/contact_points.h"
@@ -27,7 +28,7 @@ constexpr std::array kAlong{0.0, 0.5, 1.0};  // where its derivative is looked a
 std::optional<ContactPoint> nearest_on_lines(const PairSearchResult& found, SurfaceCells& a,
                                              const Vec3& x) {
   std::optional<ContactPoint> nearest;
-  double least = 1e300;
+  double least = kUnbounded;
   for (const FoundContact& line : found.contacts) {
     if (!line.contact.crosses) continue;
     const auto& patch = a.tree(line.patch_a).patch();

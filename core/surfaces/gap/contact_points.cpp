@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/unbounded.h"
 #include "core/cells/cell_pair.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/gap/newton.h"
@@ -54,7 +55,7 @@ template <class Equations, class Good>
 std::optional<Point4> newton(const Point4& start, double reach, const Equations& equations,
                              const Good& good) {
   Point4 x = start;
-  double last = 1e300;
+  double last = kUnbounded;
   for (int step = 0; step < kSteps; ++step) {
     System m = equations(x);
     if (!solve(m)) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unbounded.h"
 #include "core/surfaces/gap/limits.h"
 #include "core/surfaces/gap/model_points.h"
 #include "core/surfaces/gap/valley_shape.h"
@@ -120,7 +121,7 @@ std::optional<CellContact> piece_between(const ValleyShape& shape, const ModelPo
 Point4 closest_on_border(const ValleyShape& shape, const TaylorPolynomial& gap,
                          const ModelPoints& points) {
   Vec2 best{};
-  double least = 1e300;
+  double least = kUnbounded;
   for (int edge = 0; edge < 4; ++edge)
     for (int k = 0; k <= kEdgeSamples; ++k) {
       const Vec2 wz = shape.on_edge(edge, 2.0 * k / kEdgeSamples - 1);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unbounded.h"
+
 namespace blossom {
 
 TurnedAxes::TurnedAxes(const Vec2& direction)
@@ -29,7 +31,7 @@ Polynomial TurnedAxes::along_edge(const TaylorPolynomial& p, int edge) const {
 double TurnedAxes::chord_end(double w, int side) const {
   constexpr double kAlongChord = 1e-9;  // radians: a side so nearly along the chord does not end it
   constexpr double kBeyondChord = 0.02;  // part of half a cell: neighbours overlap by so much
-  double end = 1e300;
+  double end = kUnbounded;
   for (int k = 0; k < 2; ++k) {
     const double rate = side == 0 ? -z_axis[k] : z_axis[k];
     const double start = w_axis[k] * w;

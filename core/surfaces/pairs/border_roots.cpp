@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unbounded.h"
 #include "core/cells/pair_model.h"
 #include "core/forms/evaluation.h"
 #include "core/math/index.h"
@@ -252,7 +253,7 @@ class PairBorder {
       if (const ArcStretch& s = arc_->stretch(number); !s.empty && off(s.part, face)) return false;
     int on_face = 0;
     double least = 2 * kSamePoint;
-    Interval slopes{1e300, -1e300};
+    Interval slopes{kUnbounded, -kUnbounded};
     for (std::size_t number = ArcStretches::kCount / 2; number < ArcStretches::kCount; ++number) {
       const ArcStretch& s = arc_->stretch(number);
       if (s.empty) continue;

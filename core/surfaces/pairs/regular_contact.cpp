@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/bounds/box_tree.h"
 #include "core/cells/cell_pair.h"
 
@@ -199,7 +200,7 @@ std::array<Sides, 2> halves(const Sides& sides, const Bounds& a, const Bounds& b
 bool crosses_regularly(const PairSearchResult& found, std::span<const int> pairs, SurfaceCells& a,
                        SurfaceCells& b) {
   if (&a == &b || found.beside_known || found.stopped) return false;
-  constexpr Interval kNone{1e300, -1e300};
+  constexpr Interval kNone{kUnbounded, -kUnbounded};
   Rectangle over_a{kNone, kNone}, over_b{kNone, kNone};
   const auto add = [](Interval& all, const Interval& x, int span) {
     all = {std::min(all.from, x.from + span), std::max(all.to, x.to + span)};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/forms/algebra/products.h"
 #include "core/forms/evaluation.h"
 #include "core/subdivision/growth.h"
@@ -44,7 +45,7 @@ std::optional<Point4> farthest(const RationalBezierPatch& a, const RationalBezie
     auto next = foot_point(a, b, start, kReach);
     if (next) (*next)[k] = start[k];
     const double moved =
-        next ? std::max(std::abs((*next)[2] - x[2]), std::abs((*next)[3] - x[3])) : 1e300;
+        next ? std::max(std::abs((*next)[2] - x[2]), std::abs((*next)[3] - x[3])) : kUnbounded;
     if (moved > kStepB || !on_extension(*next)) {
       step *= 0.5;
       continue;
@@ -119,7 +120,7 @@ Homogeneous parts_of(const RationalBezierPatch& patch) {
 double reach_of(const RationalBezierPatch& patch) {
   double reach = 0;
   for (const Vec4& p : patch.points.values())
-    reach = p[3] > 0 ? std::max(reach, norm(Vec3{p[0], p[1], p[2]}) / p[3]) : 1e300;
+    reach = p[3] > 0 ? std::max(reach, norm(Vec3{p[0], p[1], p[2]}) / p[3]) : kUnbounded;
   return reach;
 }
 
@@ -148,7 +149,7 @@ double error_beyond(const RationalBezierPatch& patch, const RationalBezierPatch&
                     const Interval& s, const Interval& t, double reach) {
   const double growth = bezier_growth(patch.degree_u(), s) * bezier_growth(patch.degree_v(), t);
   if (growth <= 1) return 0;
-  double largest = 0, least = 1e300;
+  double largest = 0, least = kUnbounded;
   for (const Vec4& p : patch.points.values()) largest = std::max(largest, p[3]);
   for (const Vec4& p : piece.points.values()) least = std::min(least, p[3]);
   return kGrowthError * growth * largest / least * reach;
@@ -194,7 +195,7 @@ std::optional<SharedChart> shared_chart(const RationalBezierPatch& a, const Rati
   const RationalBezierPatch of_b = sub_patch(b, chart.s.to, chart.t.to);
   const double reach =
       std::max(reach_of(a), reach_of(of_a)) + std::max(reach_of(b), reach_of(of_b));
-  if (!(reach < 1e300)) return std::nullopt;
+  if (!(reach < kUnbounded)) return std::nullopt;
   const double error = error_beyond(b, of_b, chart.s.to, chart.t.to, reach);
   if (!(distance_bound(of_a, mapped(of_b, chart), reach) + error <= tolerance)) return std::nullopt;
   return chart;

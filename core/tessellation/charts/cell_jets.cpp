@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/math/binomial.h"
 
 namespace blossom {
@@ -118,7 +119,7 @@ Vec3 largest_jump(const RationalBezierPatch& before, const CellSide& at_before,
                   const RationalBezierPatch& after, const CellSide& at_after, bool by_u) {
   const std::vector<Vec4> left = across(before, at_before, by_u, true);
   const std::vector<Vec4> right = across(after, at_after, by_u, false);
-  if (left.size() != right.size()) return {1e300, 1e300, 1e300};
+  if (left.size() != right.size()) return {kUnbounded, kUnbounded, kUnbounded};
   const int n = static_cast<int>(left.size()) - 1;
   // Coefficients of the numerator and of w^2.
   std::vector<Vec4> product(static_cast<std::size_t>(2 * n + 1));

@@ -11,6 +11,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
+#include "core/base/unbounded.h"
 #include "core/bounds/box_tree.h"
 #include "core/curve_intersection.h"
 
@@ -71,7 +72,7 @@ bool is_told(const CurvePlace& place, const CurveIntersection& found) {
 
 // The end of one of two edges that is nearest to a point, as its distance from it.
 double distance_to_ends(const Outline& p, const Outline& q, const Vec3& point) {
-  double least = 1e300;
+  double least = kUnbounded;
   for (const CurveSpans* of : {&p.spans, &q.spans})
     for (const double end : {of->domain().from, of->domain().to})
       least = std::min(least, distance(point_at(*of, end), point));
