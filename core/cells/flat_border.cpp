@@ -182,13 +182,13 @@ std::optional<DirectionCones> FlatBorder::cones_in(const SlopeNets& nets, int pl
 
 std::optional<DirectionCones> FlatBorder::cones(const std::vector<SlopeNets>& nets,
                                                 const Interval& u, const Interval& v) const {
-  constexpr int kMostSpans = 2;  // either way: as many as cells that touch may lie in
+  constexpr int kMaxSpans = 2;  // either way: as many as cells that touch may lie in
   const auto first = [](const Interval& x) { return static_cast<int>(std::floor(x.from)); };
   const auto end = [](const Interval& x) { return static_cast<int>(std::ceil(x.to)); };
   const auto part = [](const Interval& x, int span) {
     return Interval{std::max(x.from - span, 0.0), std::min(x.to - span, 1.0)};
   };
-  if (end(u) - first(u) > kMostSpans || end(v) - first(v) > kMostSpans) return {};
+  if (end(u) - first(u) > kMaxSpans || end(v) - first(v) > kMaxSpans) return {};
   std::optional<DirectionCones> all;
   for (int i = first(u); i < end(u); ++i)
     for (int j = first(v); j < end(v); ++j) {

@@ -23,7 +23,7 @@ using Triangle = std::array<int, 3>;
 constexpr double kFlatPart = 1e-5;
 constexpr double kSamePlane = 1e-4;  // of the normals of two rings, whose planes count as one
 // Points of a ring up to which all triangulations are compared: a second of work.
-constexpr std::size_t kMostCompared = 300;
+constexpr std::size_t kMaxCompared = 300;
 
 Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
 
@@ -208,7 +208,7 @@ std::vector<Triangle> cut_ears(std::span<const Vec3> points, std::vector<int>& r
     // A corner that the hole goes round from outside is no ear.
     return dot(cross(b, a), normals[k] + normals[(k + n - 1) % n]) < 0 ? turn + 4 : turn;
   };
-  while (ring.size() > kMostCompared) {
+  while (ring.size() > kMaxCompared) {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < ring.size(); ++k)

@@ -12,9 +12,9 @@ namespace {
 constexpr double kSpacing = 4.8;
 
 // So much longer than wide may triangles be that follow the curvature.
-constexpr double kMostLong = 16;
+constexpr double kMaxAspect = 16;
 
-constexpr double kLeastAllowed = 0.5;  // of the deviation, for what facets themselves are off
+constexpr double kMinAllowed = 0.5;  // of the deviation, for what facets themselves are off
 
 constexpr int kElementaryCells = 12;  // of a direction in which the density changes
 
@@ -62,7 +62,7 @@ FacetDensity filled(std::vector<double> u, std::vector<double> v,
       facets += area * density.facets(i, j);
       lengths += area * Vec2{at.length_u, at.length_v};
     }
-  density.scale = scale_of(facets, lengths, options.aspect > 0 ? options.aspect : kMostLong);
+  density.scale = scale_of(facets, lengths, options.aspect > 0 ? options.aspect : kMaxAspect);
   return density;
 }
 
@@ -116,7 +116,7 @@ FacetDensity ChartSurface::density(const Vec2& low, const Vec2& high) const {
 }
 
 double ChartSurface::allowed() const {
-  return std::max(options_.deviation - error(), kLeastAllowed * options_.deviation);
+  return std::max(options_.deviation - error(), kMinAllowed * options_.deviation);
 }
 
 double ChartSurface::error() const {

@@ -18,8 +18,8 @@ constexpr double kShortest = 1e-3;   // of the deviation: segments, but where an
 constexpr int kDeepest = 14;         // halvings of a span
 constexpr double kKink = 0.02;       // radians between spans: a corner, which gets a point
 constexpr double kRounding = 1e-6;   // of a segment or the deviation: nothing more for that
-constexpr int kLeastClosed = 3;
-constexpr double kMostSides = 1e6;  // of an edge; a choice, a face between such edges fills memory
+constexpr int kMinClosed = 3;
+constexpr double kMaxSides = 1e6;  // of an edge; a choice, a face between such edges fills memory
 
 struct Piece {
   RationalBezierCurve curve;
@@ -150,7 +150,7 @@ void EdgePolyline::spread(bool closed) {
     const auto found = std::ranges::lower_bound(fine_parameters_, at_knot);
     kinks_.push_back(static_cast<std::size_t>(found - fine_parameters_.begin()));
   }
-  if (!(sigma_.back() <= kMostSides))
+  if (!(sigma_.back() <= kMaxSides))
     throw InvalidInput(
         std::string("the deviation, the angle or the length of sides is too small: ") +
         "an edge would have " + std::to_string(std::llround(std::min(sigma_.back(), 1e18))) +
@@ -159,7 +159,7 @@ void EdgePolyline::spread(bool closed) {
   drop_close_kinks();
   const std::size_t parts = kinks_.size() - 1;
   const int least =
-      closed ? (kLeastClosed + static_cast<int>(parts) - 1) / static_cast<int>(parts) : 1;
+      closed ? (kMinClosed + static_cast<int>(parts) - 1) / static_cast<int>(parts) : 1;
   for (std::size_t k = 0; k < parts; ++k)
     if (kinks_[k] < kinks_[k + 1]) breaks_between(kinks_[k], kinks_[k + 1], least);
   parameters_.push_back(fine_parameters_.back());

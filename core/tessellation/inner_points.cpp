@@ -9,8 +9,8 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostRows = 20000;
-constexpr int kMostSparse = 10;  // level of rows
+constexpr int kMaxRows = 20000;
+constexpr int kMaxSparse = 10;  // level of rows
 
 int cell_of(const std::vector<double>& ends, double at) {
   const auto above = std::upper_bound(ends.begin() + 1, ends.end() - 1, at);
@@ -87,14 +87,14 @@ struct Rows {
   int level(double p, int j, double most) const {
     const double here = along_q(cell_of(p_ends(), p), j);
     int level = 0;
-    while (level < kMostSparse && here * (2 << level) <= most) ++level;
+    while (level < kMaxSparse && here * (2 << level) <= most) ++level;
     return level;
   }
 
   // How many, about; they are nearer than the sides of equilateral triangles are long.
   int count(const Spread& spread) const {
     return static_cast<int>(
-        std::ceil(std::min<double>(kMostRows, spread.all() * 2 / std::sqrt(3.0))));
+        std::ceil(std::min<double>(kMaxRows, spread.all() * 2 / std::sqrt(3.0))));
   }
 };
 

@@ -9,9 +9,9 @@
 namespace blossom {
 namespace {
 
-constexpr int kNewtonSteps = 4;       // from a foot that was searched for
-constexpr int kMostNewtonSteps = 16;  // from another place; fewer where they come no nearer
-constexpr double kSeam = 1e-9;        // of the parameters' range: so near a seam is on it
+constexpr int kNewtonSteps = 4;      // from a foot that was searched for
+constexpr int kMaxNewtonSteps = 16;  // from another place; fewer where they come no nearer
+constexpr double kSeam = 1e-9;       // of the parameters' range: so near a seam is on it
 
 }  // namespace
 
@@ -35,7 +35,7 @@ Vec2 ChartProjector::foot(const Vec3& point, const std::optional<Vec2>& near) co
 Vec2 ChartProjector::nearest(const Vec3& point, const std::optional<Vec2>& near) const {
   if (surface_.exact) return surface_.search(point);
   // A point that the surface has within tolerance needs no search over all of it.
-  const auto beside = near ? sharpened(point, bounded(*near), kMostNewtonSteps) : Sharpened{};
+  const auto beside = near ? sharpened(point, bounded(*near), kMaxNewtonSteps) : Sharpened{};
   if (near && beside.gap <= tolerance_) return beside.uv;
   return sharpened(point, surface_.search(point), kNewtonSteps).uv;
 }

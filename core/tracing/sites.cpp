@@ -129,12 +129,12 @@ Step step_by_conic(const TracePoint& p, const TracePoint& q, const Conic& conic)
 }
 
 // Part of the scale: vectors that are shorter are compared by it.
-constexpr double kLeastOfScale = 1e-3;
+constexpr double kMinOfScale = 1e-3;
 
 // A difference beyond rounding, measured against the values and a part of `scale`.
 template <int Dim>
 bool jumps(const Vec<double, Dim>& x, const Vec<double, Dim>& y, double scale, double relative) {
-  return distance(x, y) > relative * std::max(norm(x) + norm(y), kLeastOfScale * scale);
+  return distance(x, y) > relative * std::max(norm(x) + norm(y), kMinOfScale * scale);
 }
 
 // Of a knot where one link meets the next: in space and in both charts.

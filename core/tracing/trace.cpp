@@ -20,7 +20,7 @@ constexpr double kBesidePole = 0.02;     // likewise; the rounding of derivative
 constexpr double kStraight = 0.9;        // cosine: a tangent farther from its chord is none
 constexpr double kRoundedSine = 1e-6;    // below it derivatives are rounding
 constexpr double kTurned = 1e-6;         // radians: so little branches turn at a node's reach
-constexpr double kLeastReach = 1e-3;     // of a link
+constexpr double kMinReach = 1e-3;       // of a link
 constexpr double kBesideValley = 1e-3;   // likewise: half the step of a difference
 constexpr double kNoValley = 1e-3;       // of what tells its direction beside a point: none
 constexpr double kReach = 0.5;           // fraction of a patch
@@ -135,7 +135,7 @@ void ChainTracer::find_node(std::size_t side, double rounding) {
   const double gap = norm(apart);
   if (!(gap <= rounding && on_link(index, side == 0 ? 0 : 1).sine <= kRoundedSine)) return;
   const double station = side == 0 ? 0 : stations_.back(), most = 0.5 * stations_.back();
-  double reach = kLeastReach * (stations_[index + 1] - stations_[index]);
+  double reach = kMinReach * (stations_[index + 1] - stations_[index]);
   while (reach < most && at(std::abs(station - reach), side == 0).sine * reach * kTurned < gap)
     reach *= 2;
   nodes_[side] = {station, apart, std::min(reach, most)};

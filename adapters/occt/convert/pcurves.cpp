@@ -93,11 +93,11 @@ PlanarCurve spans(const Handle(Geom2d_BSplineCurve) & given, const Interval& ran
 // Keeps the parameter, which an exact conversion of a hyperbola, say, would not.
 PlanarCurve approximated(const Handle(Geom2d_Curve) & curve, const Interval& range) {
   const Handle(Geom2d_TrimmedCurve) trimmed = new Geom2d_TrimmedCurve(curve, range.from, range.to);
-  constexpr double kLeastChart = 1e-6;  // units of the chart: smaller curves are fitted no better
+  constexpr double kMinChart = 1e-6;  // units of the chart: smaller curves are fitted no better
   const double size = curve->Value(range.from).Distance(curve->Value(range.to)) +
                       curve->Value(range.from).Distance(curve->Value(at(range, 0.5)));
-  Geom2dConvert_ApproxCurve convert(trimmed, kRelativeError * std::max(size, kLeastChart),
-                                    GeomAbs_C1, kMaxChartSpans, 8);
+  Geom2dConvert_ApproxCurve convert(trimmed, kRelativeError * std::max(size, kMinChart), GeomAbs_C1,
+                                    kMaxChartSpans, 8);
   if (!convert.HasResult())
     throw BadModel(std::string("a parametric curve of type ") + curve->DynamicType()->Name() +
                    " cannot be converted");

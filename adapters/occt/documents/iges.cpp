@@ -194,10 +194,10 @@ void list_lost_roots(const IGESControl_Reader& reader, const IGESData_IGESModel&
 /// Flags 1 to 11 are units, 3 says that the name is one. Without a unit Open CASCADE takes
 /// millimetres, or makes nothing.
 void list_unknown_unit(const IGESData_GlobalSection& section, ReadingReport& report) {
-  constexpr int kByName = 3, kMostUnits = 11;
+  constexpr int kByName = 3, kMaxUnits = 11;
   const int flag = section.UnitFlag();
   const std::string name = section.UnitName().IsNull() ? "" : section.UnitName()->ToCString();
-  const bool known = flag == kByName ? names_unit(name) : 1 <= flag && flag <= kMostUnits;
+  const bool known = flag == kByName ? names_unit(name) : 1 <= flag && flag <= kMaxUnits;
   if (known) return;
   report.add({"the unit of lengths",
               "the file has the flag " + std::to_string(flag) + " and the name '" + name +

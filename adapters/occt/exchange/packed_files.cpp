@@ -23,14 +23,13 @@ namespace {
 enum class Wrapping { Gzip = 16 + MAX_WBITS, Raw = -MAX_WBITS };
 
 /// Model files are packed to a tenth or so; deflate can pack what is empty to a thousandth.
-constexpr std::size_t kMostGrowth = 100;
+constexpr std::size_t kMaxGrowth = 100;
 constexpr std::size_t kAlways = 1 << 20;  // bytes that are unpacked, whatever they are packed to
 
 /// zlib's state, ended with it.
 class Inflater {
  public:
-  Inflater(std::string_view bytes, Wrapping wrapping)
-      : most_(kAlways + kMostGrowth * bytes.size()) {
+  Inflater(std::string_view bytes, Wrapping wrapping) : most_(kAlways + kMaxGrowth * bytes.size()) {
     stream_.next_in = reinterpret_cast<const Bytef*>(bytes.data());
     stream_.avail_in = static_cast<uInt>(bytes.size());
     if (inflateInit2(&stream_, static_cast<int>(wrapping)) != Z_OK)

@@ -83,14 +83,14 @@ template <class Take>
 void for_each_extreme(const gp_XYZ& centre, const gp_XYZ& u, const gp_XYZ& v, double from,
                       double to, const Take& take) {
   constexpr double kHalfTurn = std::numbers::pi;
-  constexpr int kMostTurns = 3;  // along an axis, within one turn of the arc
+  constexpr int kMaxTurns = 3;  // along an axis, within one turn of the arc
   const auto at = [&](double t) { take(gp_Pnt(centre + std::cos(t) * u + std::sin(t) * v)); };
   at(from);
   at(to);
   for (int axis = 1; axis <= 3; ++axis) {
     const double turn = std::atan2(v.Coord(axis), u.Coord(axis));
     double t = turn + std::ceil((from - turn) / kHalfTurn) * kHalfTurn;
-    for (int turns = 0; turns < kMostTurns && t < to; ++turns, t += kHalfTurn) at(t);
+    for (int turns = 0; turns < kMaxTurns && t < to; ++turns, t += kHalfTurn) at(t);
   }
 }
 

@@ -32,7 +32,7 @@ namespace blossom::occt {
 namespace {
 
 /// A meridian is free when so much of the way round, as a part of it, is.
-constexpr double kLeastGap = 1e-3;
+constexpr double kMinPolarGap = 1e-3;
 
 /// Ends of the two poles that differ by no more than this part of the way round are one.
 constexpr double kSameRange = 1e-6;
@@ -142,7 +142,7 @@ std::optional<double> free_meridian(const PolarFace& polar) {
       covered.push_back(extent_of(TopoDS::Edge(it.Value()), polar));
   std::sort(covered.begin(), covered.end(),
             [](const Interval& a, const Interval& b) { return a.from < b.from; });
-  double reached = range.from, widest = kLeastGap * length(range);
+  double reached = range.from, widest = kMinPolarGap * length(range);
   std::optional<double> middle;
   for (const Interval& each : covered) {
     const double gap = std::min(each.from, range.to) - reached;

@@ -20,8 +20,8 @@ constexpr double kPoleWidth = 16;
 // A border of a patch is one point if its derivative is no more than this part of the tolerance.
 constexpr double kPoleRow = 1e-3;
 constexpr double kWayReach = 0.5;  // of a patch: how far a foot may lie from where it is sought
-constexpr std::size_t kMostPatches = 16;     // between the border of a region and its middle
-constexpr int kMostHalvings = 3;             // of the way from there, see `reach_node`
+constexpr std::size_t kMaxPatches = 16;      // between the border of a region and its middle
+constexpr int kMaxHalvings = 3;              // of the way from there, see `reach_node`
 constexpr std::array kAlong{0.0, 0.5, 1.0};  // where its derivative is looked at
 
 // The point nearest to x, in space, on the lines along which the surfaces touch and cross.
@@ -304,7 +304,7 @@ bool lead_straight(std::vector<FoundArc>& ways, SurfaceCells& a, SurfaceCells& b
   std::vector<FoundArc> straight;
   for (std::optional<ContactPoint> at = from; at;) {
     const auto step = step_towards(a, b, *at, to);
-    if (!step || straight.size() == kMostPatches) return false;
+    if (!step || straight.size() == kMaxPatches) return false;
     FoundArc way = arc_between(*at, step->x);
     way.arc.straight = true;
     if (!meet_along(a, b, way, tolerance)) return false;
@@ -337,7 +337,7 @@ ArcEnd reach_node(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, Arc
   ContactPoint from{arm.patch_a, arm.patch_b, end_of(found, end)};
   std::vector<FoundArc> ways;
   for (int halvings = 0; !lead_straight(ways, a, b, from, to, tolerance); ++halvings) {
-    if (halvings == kMostHalvings || arm.arc.tangential) return end;
+    if (halvings == kMaxHalvings || arm.arc.tangential) return end;
     const auto way = half_way(a, b, from, to);
     if (!way) return end;
     ways.push_back(*way);

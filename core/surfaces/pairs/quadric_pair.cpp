@@ -14,7 +14,7 @@ constexpr double kMinPart = 1.0 / 256;   // likewise: cells at a border
 constexpr double kFootReach = 0.5;       // of Newton's method for feet, fraction of a patch
 
 // Of the tolerance: the rest is left for the rounding of slopes.
-constexpr double kMostSpread = 1 - 1e-6;
+constexpr double kMaxSpread = 1 - 1e-6;
 
 constexpr double kOnePoint = 1e-12;  // relative
 
@@ -73,7 +73,7 @@ QuadricPair::QuadricPair(const CellTree& a, const CellTree& b, QuadricBands& ban
     : tree_a_(a), tree_b_(b), band_a_(bands.of(a)), band_b_(bands.of(b)), size_(size) {
   const bool asked = &a != &b && band_b_ != nullptr;
   spread_ = asked ? band_b_->spread_over(a[0], a.shape()) : 0;
-  const bool on_one = asked && spread_ <= kMostSpread;
+  const bool on_one = asked && spread_ <= kMaxSpread;
   is_one_ = on_one && one_is_whole;
   is_common_ = on_one && !one_is_whole;
 }
@@ -95,7 +95,7 @@ bool QuadricPair::touch_all_over(const Cell& a, const Cell& b) const {
   if (band_a_ == nullptr || band_b_ == nullptr || !is_small(a, b)) return false;
   const double of_a = band_b_->spread_over(a, tree_a_.shape());
   const double of_b = band_a_->spread_over(b, tree_b_.shape());
-  return std::max(of_a, of_b) <= kMostSpread && band_b_->is_steep_in(a, tree_a_.shape(), of_a) &&
+  return std::max(of_a, of_b) <= kMaxSpread && band_b_->is_steep_in(a, tree_a_.shape(), of_a) &&
          band_b_->is_steep_in(b, tree_b_.shape(), of_a);
 }
 

@@ -18,18 +18,18 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostParts = 8;         // of a span, where it has few facets
-constexpr int kMostFineParts = 1000;  // of a span
-constexpr double kMuchChange = 0.3;   // of the size of second derivatives, within a cell
-constexpr double kMuchTurn = 0.3;     // likewise of first ones
+constexpr int kMaxParts = 8;         // of a span, where it has few facets
+constexpr int kMaxFineParts = 1000;  // of a span
+constexpr double kMuchChange = 0.3;  // of the size of second derivatives, within a cell
+constexpr double kMuchTurn = 0.3;    // likewise of first ones
 // Of the size of second derivatives: what cells may add to the bounds of the facets in them. A
 // choice: as many facets go along a direction as the root of the bound, so these are 2.5 % more.
 constexpr double kBoundSlack = 0.05;
-constexpr double kFacetsInCell = 4;     // along a direction: cells are not made smaller for that
-constexpr int kMostPatches = 6;         // of which the parts under a facet are asked
-constexpr double kLeastPart = 0x1p-30;  // of a span: facets are not narrower
-constexpr double kNoBend = 0.2;         // of the wanted distance: it need not be known better
-constexpr double kThin = 0.01;          // of the wanted distance: spans that move no more are none
+constexpr double kFacetsInCell = 4;   // along a direction: cells are not made smaller for that
+constexpr int kMaxPatches = 6;        // of which the parts under a facet are asked
+constexpr double kMinPart = 0x1p-30;  // of a span: facets are not narrower
+constexpr double kNoBend = 0.2;       // of the wanted distance: it need not be known better
+constexpr double kThin = 0.01;        // of the wanted distance: spans that move no more are none
 
 int span_of(const std::vector<double>& ends, double parameter) {
   const auto above = std::upper_bound(ends.begin() + 1, ends.end() - 1, parameter);
@@ -97,12 +97,12 @@ Parts wanted_parts(const CellJet& whole, double h_u, double h_v, double fine) {
                norm(whole.first_v.radius) / std::max(norm(whole.first_v.centre), kNotZero));
   const double parts =
       std::max(change / std::max(kMuchChange * size, 8 * kNoBend * fine), turn / kMuchTurn);
-  const int least = limited(parts, 1, kMostParts);
+  const int least = limited(parts, 1, kMaxParts);
   const auto finer = [&](double bend) {
     const double facets = std::sqrt(bend / (8 * fine));
     return limited(
         std::min(change / (kBoundSlack * std::max(size, kNotZero)), facets / kFacetsInCell), least,
-        kMostFineParts);
+        kMaxFineParts);
   };
   const double twist = h_u * h_v * jet.uv.size();
   return {finer(h_u * h_u * jet.uu.size() + twist), finer(h_v * h_v * jet.vv.size() + twist)};
@@ -254,12 +254,12 @@ std::optional<double> SplineChart::own_distance(const JetEnclosure& of_cells,
   const int i1 = std::max(i0, span_of(u, std::nextafter(high[0], low[0])));
   const int j1 = std::max(j0, span_of(v, std::nextafter(high[1], low[1])));
   const int rows = i1 - i0 + 1, columns = j1 - j0 + 1;
-  if (rows * columns > kMostPatches) return {};
+  if (rows * columns > kMaxPatches) return {};
   const auto part_of = [](const std::vector<double>& knots, ParameterLaw law, int i, double from,
                           double to) {
     const Interval span{knots[index(i)], knots[index(i + 1)]};
     // A part that is a point has no derivatives.
-    const double least = kLeastPart * length(span);
+    const double least = kMinPart * length(span);
     from = std::clamp(from, span.from, span.to - least);
     to = std::clamp(to, from + least, span.to);
     return CellSide{span, law, {local_parameter(law, span, from), local_parameter(law, span, to)}};

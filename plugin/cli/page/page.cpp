@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kCoarser = 1.6;  // from one try to the next, see page_html
 constexpr int kTries = 8;
-constexpr double kLeastExtent = 1e-9;  // keeps the scale of a scene without extent finite
+constexpr double kMinExtent = 1e-9;  // keeps the scale of a scene without extent finite
 
 template <typename T>
 std::string packed(const std::vector<T>& values) {
@@ -43,7 +43,7 @@ struct SceneBox {
   Vec3 centre() const { return 0.5 * (low + high); }
   Vec3 extent() const {
     Vec3 size = high - low;
-    for (int k = 0; k < 3; ++k) size[k] = std::max(size[k], kLeastExtent);
+    for (int k = 0; k < 3; ++k) size[k] = std::max(size[k], kMinExtent);
     return size;
   }
 };

@@ -31,7 +31,7 @@ using Words = std::vector<std::string>;
 
 constexpr std::string_view kReproduce = "--reproduce", kBatchCommand = "batch";
 constexpr int kTrials = 40;
-constexpr double kLeastSeconds = 60, kTimesAsLong = 20;
+constexpr double kMinAgainSeconds = 60, kTimesAsLong = 20;
 
 // How a command came out, as far as it has to be the same again.
 struct End {
@@ -164,7 +164,7 @@ class Reduction {
         wanted_(wanted),
         until_(Clock::now() +
                std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
-                   std::max(kLeastSeconds, kTimesAsLong * seconds)))) {}
+                   std::max(kMinAgainSeconds, kTimesAsLong * seconds)))) {}
 
   bool repeats(const std::vector<Part>& parts) {
     if (++trials_ > kTrials || Clock::now() > until_) return false;

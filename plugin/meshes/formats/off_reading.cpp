@@ -21,8 +21,8 @@ namespace blossom::meshes {
 namespace {
 
 // Bytes that a vertex and a face take at least as text, with what parts them.
-constexpr std::uint64_t kLeastTextVertex = 6;
-constexpr std::uint64_t kLeastTextFace = 4;
+constexpr std::uint64_t kMinTextVertex = 6;
+constexpr std::uint64_t kMinTextFace = 4;
 
 // What "OFF" may have in front: texture coordinates, colours, normals of each vertex, a fourth
 // coordinate, a dimension.
@@ -78,7 +78,7 @@ std::optional<MeshColour> colour_of(TextScanner& words) {
 FileMesh read_text(std::string_view bytes, TextScanner words, OffKind kind) {
   const std::int64_t vertices = words.whole(), faces = words.whole();
   words.whole();  // of edges, which is not kept
-  refuse_large(bytes.size(), vertices, kLeastTextVertex, faces, kLeastTextFace);
+  refuse_large(bytes.size(), vertices, kMinTextVertex, faces, kMinTextFace);
   FileMesh mesh;
   for (std::int64_t k = 0; k < vertices; ++k) {
     mesh.points.push_back(words.point());

@@ -121,13 +121,13 @@ TEST(TessellationByCgal, OfClosedModelsIsSound) {
 TEST(TessellationByCgal, OfNarrowFacesComesToAnEnd) {
   const char* const data = std::getenv("BLOSSOM_TEST_DATA");
   if (!data) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
-  constexpr int kMostAsked = 3000;
+  constexpr int kMaxAsked = 3000;
   const occt::Model model =
       testing::repaired_model(std::filesystem::path(data) / "models" / "d150_fused.brep");
   for (const double deviation : {0.2, 0.05, 0.01}) {
     int asked = 0;
     const occt::ShapeTessellation made = occt::tessellation(model.shape(), {.deviation = deviation},
-                                                            [&] { return ++asked < kMostAsked; });
+                                                            [&] { return ++asked < kMaxAsked; });
     EXPECT_FALSE(made.facets.stopped) << deviation;
     EXPECT_LE(made.facets.distance, deviation * 1.01);
   }

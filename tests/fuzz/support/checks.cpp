@@ -22,7 +22,7 @@ void end_late(int) {
 
 void watch_time() {
   std::signal(SIGPROF, end_late);
-  const itimerval limit{{0, 0}, {kMostSeconds, 0}};
+  const itimerval limit{{0, 0}, {kMaxSeconds, 0}};
   setitimer(ITIMER_PROF, &limit, nullptr);
 }
 

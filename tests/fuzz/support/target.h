@@ -16,9 +16,9 @@ using Bytes = std::span<const std::uint8_t>;
 void try_input(Bytes input);
 
 /// Processor seconds that an input may take.
-inline constexpr int kMostSeconds = 10;
+inline constexpr int kMaxSeconds = 10;
 
-/// Ends the process by SIGABRT if it takes more than kMostSeconds from now on.
+/// Ends the process by SIGABRT if it takes more than kMaxSeconds from now on.
 void watch_time();
 
 /// A check that stays in every build. Ends the process with the words on stderr.

@@ -78,9 +78,9 @@ std::string left_out_of(const StepGeom_CartesianTransformationOperator3d& place)
 
 /// Kinds that Open CASCADE does not know, the first few.
 std::string unknown_kinds(const StepData_StepModel& model) {
-  constexpr std::size_t kMostNames = 3;
+  constexpr std::size_t kMaxNames = 3;
   std::vector<std::string> names;
-  for (int i = 1; i <= model.NbEntities() && names.size() < kMostNames; ++i) {
+  for (int i = 1; i <= model.NbEntities() && names.size() < kMaxNames; ++i) {
     if (!model.Value(i)->IsKind(STANDARD_TYPE(StepData_UndefinedEntity))) continue;
     const std::string name = model.TypeName(model.Value(i), false);
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);

@@ -301,13 +301,13 @@ CLI::App* add_edges_command(CLI::App& blend, const char* name, const char* about
 }
 
 /// Longer files are no laws.
-constexpr std::streamsize kMostOfLaw = 1 << 20;
+constexpr std::streamsize kMaxOfLaw = 1 << 20;
 
 std::string law_text(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw UsageError("--law: " + file + " cannot be read");
-  std::string text(kMostOfLaw, ' ');
-  stream.read(text.data(), kMostOfLaw);
+  std::string text(kMaxOfLaw, ' ');
+  stream.read(text.data(), kMaxOfLaw);
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
 }

@@ -26,7 +26,7 @@ namespace blossom::cli {
 namespace {
 
 // Looking for crossings takes longer than meshing; of so many triangles some seconds.
-constexpr std::size_t kMostJudged = 2'000'000;
+constexpr std::size_t kMaxJudged = 2'000'000;
 
 meshes::ShapeMesh meshed(const Input& input, const std::vector<meshes::MeshGroup>& groups,
                          const FacetOptions& options) {
@@ -41,7 +41,7 @@ meshes::ShapeMesh meshed(const Input& input, const std::vector<meshes::MeshGroup
 
 void look_for_crossings(const meshes::FileMesh& mesh, const std::vector<int>& face_of,
                         const std::vector<int>& numbers, reports::MeshAnswer& answer) {
-  if (mesh.triangles.size() > kMostJudged) return;
+  if (mesh.triangles.size() > kMaxJudged) return;
   const auto judged = meshes::judged_mesh(mesh, stop_if_interrupted);
   if (!judged) return;
   answer.crossings = judged->crossings;

@@ -11,7 +11,7 @@
 namespace blossom::cli {
 namespace {
 
-constexpr int kMostGroups = 1'000'000;  // that an input names one by one
+constexpr int kMaxGroups = 1'000'000;  // that an input names one by one
 
 }  // namespace
 
@@ -26,7 +26,7 @@ meshes::FileMesh read_mesh_input(const std::string& input) {
   if (name.is_whole()) return mesh;
   std::vector<int> numbers;
   for (const auto& [first, last] : name.faces)
-    for (int k = first; k <= last && numbers.size() < kMostGroups; ++k) numbers.push_back(k);
+    for (int k = first; k <= last && numbers.size() < kMaxGroups; ++k) numbers.push_back(k);
   return meshes::chosen_groups(mesh, numbers, name.words, name.file.string());
 }
 

@@ -30,7 +30,7 @@ using reports::PartSection;
 using reports::SectionsAnswer;
 using reports::SectionsOfPlane;
 
-constexpr long kMostPlanes = 100'000;
+constexpr long kMaxPlanes = 100'000;
 
 std::string offset_text(double offset) { return number_text(rounded(offset)); }
 
@@ -148,8 +148,8 @@ std::vector<NamedPlane> planes_at(const std::string& offsets, const occt::Plane&
     to = number(first + 1, second);
     count = number(second + 1, std::string::npos);
   }
-  if (!from || !to || !count || *count != std::floor(*count) || *count < 1 ||
-      *count > kMostPlanes || (*count == 1 && *from != *to))
+  if (!from || !to || !count || *count != std::floor(*count) || *count < 1 || *count > kMaxPlanes ||
+      (*count == 1 && *from != *to))
     throw UsageError("--offsets: '" + offsets +
                      "' is not FROM:TO:NUMBER, so many planes from the first offset to the last");
   std::vector<NamedPlane> planes;
@@ -175,8 +175,8 @@ std::vector<NamedPlane> planes_in(const std::string& file) {
     while (!line.empty() && line.back() == '\r') line.pop_back();
     planes.push_back(plane_in(line, file + ", line " + std::to_string(number)));
     if (planes.back().name.empty()) planes.back().name = "plane " + std::to_string(planes.size());
-    if (static_cast<long>(planes.size()) > kMostPlanes)
-      throw UsageError(file + ": has more than " + std::to_string(kMostPlanes) + " planes");
+    if (static_cast<long>(planes.size()) > kMaxPlanes)
+      throw UsageError(file + ": has more than " + std::to_string(kMaxPlanes) + " planes");
   }
   if (planes.empty()) throw UsageError(file + ": has no planes");
   return planes;
