@@ -311,8 +311,8 @@ SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimT
 
 // Says which faces of the inputs are loose, and numbers the faces of results among all that their
 // inputs have, loose ones too.
-void tell_loose_faces(const TrimTool& part, const std::vector<TrimTool>& tools,
-                      SolidTrimResult& result) {
+void report_loose_faces(const TrimTool& part, const std::vector<TrimTool>& tools,
+                        SolidTrimResult& result) {
   const auto tell = [&](const TrimTool& input, const std::string& name) {
     if (input.loose > 0) result.left_out.push_back(describe_loose_faces(input, name));
   };
@@ -399,7 +399,7 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
     find_own_contacts(part, tools, left, result);
   });
   if (const auto copies = kept.parted(); !copies.IsNull()) part_from_inputs(*copies, result);
-  tell_loose_faces(part, tools, result);
+  report_loose_faces(part, tools, result);
   if (!part.is_solid()) result.open_part = describe_open_shell(part);
   if (!result.obstacles.empty()) {
     // Two ends of curves may have one cause.

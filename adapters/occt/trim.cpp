@@ -145,13 +145,13 @@ std::vector<Job> jobs_of(const std::vector<PartFace>& part, const std::vector<Tr
 }
 
 // What the limit leaves undone is not a face that merely stays whole.
-void tell_limit(const std::vector<Job>& jobs, const WorkLimit& limit, TrimResult& result) {
+void report_limit(const std::vector<Job>& jobs, const WorkLimit& limit, TrimResult& result) {
   const bool failed =
       std::any_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.failed; });
   if (failed && limit.reached_after_search() != nullptr) result.status = Status::Stopped;
 }
 
-void tell_limit(const std::vector<Judged>& sides, const WorkLimit& limit, TrimResult& result) {
+void report_limit(const std::vector<Judged>& sides, const WorkLimit& limit, TrimResult& result) {
   const char* reason = limit.reached_after_search();
   const bool open = std::ranges::any_of(
       sides, [](const Judged& each) { return each.side == PieceSide::Unknown; });
@@ -337,10 +337,10 @@ std::vector<DividedFace> divided_one_by_one(const std::vector<PartFace>& part,
   const WorkLimit limit(options.intersection);
   std::vector<Job> jobs = jobs_of(part, tools, options, result);
   split_all(jobs, options, limit, result);
-  tell_limit(jobs, limit, result);
+  report_limit(jobs, limit, result);
   const std::vector<Judged> sides =
       judged(jobs, tools, options.intersection.tolerances.point, limit);
-  tell_limit(sides, limit, result);
+  report_limit(sides, limit, result);
   return divided_faces(jobs, sides);
 }
 

@@ -61,7 +61,7 @@ int run_program(int argc, char** argv) {
   } catch (const occt::BadModel& error) {
     return failed(error, kExitBadInput);
   } catch (const std::bad_alloc&) {
-    tell_lack_of_memory();
+    report_lack_of_memory();
     std::cerr << "blossom: there is not enough memory for " << doing() << '\n';
     return kExitFailure;
   } catch (const std::logic_error& error) {

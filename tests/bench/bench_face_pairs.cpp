@@ -74,7 +74,8 @@ bool within(const Place& place, const Vec3& p, double margin) {
 }
 
 // True if a curve or a listed place tells of the point.
-bool is_told(const occt::ShapeIntersection& found, const Vec3& p, double near, double tolerance) {
+bool is_reported(const occt::ShapeIntersection& found, const Vec3& p, double near,
+                 double tolerance) {
   for (const occt::FaceIntersection& pair : found.pairs) {
     for (const IntersectionCurve& curve : pair.found.curves)
       for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i)
@@ -139,7 +140,7 @@ Outcome run(const FacePair& faces, const PairSettings& settings) {
     if (point.sine < kTransversal) continue;
     ++outcome.wanted;
     const Vec3 p{point.point.X(), point.point.Y(), point.point.Z()};
-    if (!is_told(found, p, kNear * size, options.tolerances.point)) ++outcome.missed;
+    if (!is_reported(found, p, kNear * size, options.tolerances.point)) ++outcome.missed;
   }
   measure_gaps(found, faces, outcome);
   if (settings.peers) time_peers(faces, options.tolerances.point, outcome);

@@ -181,14 +181,14 @@ void write_text(const std::string& text, const std::filesystem::path& file,
 
 namespace {
 
-void tell_bent(const ClosedCorners& closed, const std::filesystem::path& file) {
+void report_bent(const ClosedCorners& closed, const std::filesystem::path& file) {
   std::ostringstream text;
   text << file.string() << ": " << closed.count() << " ends of curves in space are bent by up to "
        << closed.worst() << " to meet in their vertices, since readers move whole curves for it";
   Message::SendInfo(text.str().c_str());
 }
 
-void tell_halved(std::size_t count, const std::filesystem::path& file) {
+void report_halved(std::size_t count, const std::filesystem::path& file) {
   std::ostringstream text;
   text << file.string() << ": " << count
        << (count == 1
@@ -213,7 +213,7 @@ void write_model(const Model& model, const std::filesystem::path& file,
     Model halved = model.copy();
     const auto halves = polar_faces(halved.shape());
     halved.replace_faces(halves);
-    tell_halved(halves.size(), file);
+    report_halved(halves.size(), file);
     return write_model(halved, file, stop);
   }
   std::string text;
@@ -223,7 +223,7 @@ void write_model(const Model& model, const std::filesystem::path& file,
       switch (format) {
         case Format::Step: {
           const ClosedCorners closed(model.shape());
-          if (closed.count() > 0) tell_bent(closed, file);
+          if (closed.count() > 0) report_bent(closed, file);
           return document_of(*model.impl_).text(format, model.impl_->unit);
         }
         case Format::Iges: {

@@ -118,11 +118,11 @@ bool ValleyLabels::label_valley() {
     // By signs alone where that is possible, so that shallow loops stay loops.
     exact_ = !in.contact && !out.contact;
     pieces_left_ = kMaxExactPieces;
-    const auto is_told = [&] {
+    const auto is_reported = [&] {
       return label(*whole, in, out, pieces) && changes_sign(pieces) &&
              beyond_tolerance(merged(pieces));
     };
-    if (!exact_ || !is_told()) {
+    if (!exact_ || !is_reported()) {
       exact_ = false;
       pieces.clear();
       pieces_left_ = kMaxPieces;

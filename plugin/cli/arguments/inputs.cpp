@@ -62,9 +62,9 @@ std::shared_ptr<occt::Model> model_of(const std::filesystem::path& file) {
   static std::map<std::filesystem::path, std::weak_ptr<occt::Model>> known;
   std::error_code missing;  // told by reading
   const std::filesystem::path canonical = std::filesystem::canonical(file, missing);
-  if (missing) return std::make_shared<occt::Model>(read_told(file));
+  if (missing) return std::make_shared<occt::Model>(read_and_report(file));
   if (std::shared_ptr<occt::Model> model = known[canonical].lock()) return model;
-  auto model = std::make_shared<occt::Model>(read_told(file));
+  auto model = std::make_shared<occt::Model>(read_and_report(file));
   known[canonical] = model;
   return model;
 }

@@ -63,8 +63,10 @@ std::string details(const ClashRow& row, const ClashAnswer& answer) {
   if (row.clash == nullptr) return "at least " + number(row.lower);
   const occt::Clash& clash = *row.clash;
   std::string text;
-  if (clash.relation == occt::Relation::AInsideB) text = told_name(answer, row.a) + " is inside, ";
-  if (clash.relation == occt::Relation::BInsideA) text = told_name(answer, row.b) + " is inside, ";
+  if (clash.relation == occt::Relation::AInsideB)
+    text = displayed_name(answer, row.a) + " is inside, ";
+  if (clash.relation == occt::Relation::BInsideA)
+    text = displayed_name(answer, row.b) + " is inside, ";
   if (clash.common)
     text += "volume " + number(clash.common->volume) + " mm³, depth " +
             bounds(clash.common->lower, clash.common->upper) + ", deepest at " +
@@ -100,7 +102,8 @@ std::string counted_pairs(const ClashAnswer& answer) {
 std::size_t width_of(const std::vector<ClashRow>& rows, const ClashAnswer& answer,
                      std::size_t ClashRow::*side) {
   std::size_t width = 0;
-  for (const ClashRow& row : rows) width = std::max(width, told_name(answer, row.*side).size());
+  for (const ClashRow& row : rows)
+    width = std::max(width, displayed_name(answer, row.*side).size());
   return width + 2;
 }
 
@@ -122,8 +125,8 @@ std::string clash_text(const ClashAnswer& answer) {
   const std::size_t a = width_of(rows, answer, &ClashRow::a);
   const std::size_t b = width_of(rows, answer, &ClashRow::b);
   for (const ClashRow& row : rows)
-    text << "  " << padded(clash_word(row), 12) << padded(told_name(answer, row.a), a)
-         << padded(told_name(answer, row.b), b) << details(row, answer) << "\n";
+    text << "  " << padded(clash_word(row), 12) << padded(displayed_name(answer, row.a), a)
+         << padded(displayed_name(answer, row.b), b) << details(row, answer) << "\n";
   if (rows.size() < all)
     text << "  " << counted(all - rows.size(), "pair")
          << (answer.clearance ? " farther apart than " + number(*answer.clearance)
@@ -138,7 +141,7 @@ void write_common(const ClashAnswer& answer, const std::string& file) {
   if (!model.shape().IsNull())
     write_model(model, file);
   else
-    tell_nothing_found(file, "no parts have a common body");
+    report_nothing_found(file, "no parts have a common body");
 }
 
 int write_outputs(const ClashAnswer& answer, const CommonOptions& common) {

@@ -15,7 +15,7 @@ using reports::ClashAnswer;
 using reports::ClashRow;
 
 std::string names_of(const ClashRow& row, const ClashAnswer& answer) {
-  return told_name(answer, row.a) + " and " + told_name(answer, row.b);
+  return displayed_name(answer, row.a) + " and " + displayed_name(answer, row.b);
 }
 
 std::set<std::size_t> clashing_parts(const std::vector<ClashRow>& rows) {
@@ -39,7 +39,7 @@ std::vector<PictureFaces> groups_of(const ClashAnswer& answer, const std::vector
   PictureFaces common{{}, kCurveColour, 1, "in common"};
   const std::set<std::size_t> of_clashes = clashing_parts(rows);
   for (std::size_t i = 0; i < answer.parts.size(); ++i)
-    add_faces(answer.parts[i].shape, told_name(answer, i),
+    add_faces(answer.parts[i].shape, displayed_name(answer, i),
               of_clashes.count(i) > 0 ? clashing : clear);
   for (const ClashRow& row : rows)
     if (row.clash->common)

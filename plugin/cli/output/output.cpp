@@ -59,7 +59,7 @@ void print_summary(const std::string& text, const std::string& json) {
   if (!is_stdout(json) && verbosity() != Verbosity::Quiet) print(text);
 }
 
-void tell_nothing_found(const std::string& file, const std::string& reason) {
+void report_nothing_found(const std::string& file, const std::string& reason) {
   std::error_code ignored;
   std::cerr << "blossom: " << file << " is not written: " << reason
             << (std::filesystem::exists(file, ignored)
@@ -67,8 +67,8 @@ void tell_nothing_found(const std::string& file, const std::string& reason) {
                     : "\n");
 }
 
-void tell_unwritten(const std::string& file, const std::string& reason) {
-  tell_nothing_found(file, reason);
+void report_unwritten(const std::string& file, const std::string& reason) {
+  report_nothing_found(file, reason);
   file_unwritten = true;
 }
 

@@ -38,10 +38,10 @@ void print_summary(const std::string& text, const std::string& json);
 
 /// Says on stderr that a file is not written as there is nothing to write in it, which is the
 /// answer; if there is a file of that name, that it is an older one.
-void tell_nothing_found(const std::string& file, const std::string& reason);
+void report_nothing_found(const std::string& file, const std::string& reason);
 
 /// The same of a file that should be there. The program's exit code is that of exit_code_unwritten.
-void tell_unwritten(const std::string& file, const std::string& reason);
+void report_unwritten(const std::string& file, const std::string& reason);
 
 /// Whether any was told.
 bool is_file_unwritten();

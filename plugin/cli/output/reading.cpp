@@ -52,7 +52,7 @@ double reading_allowance(const std::filesystem::path& file) {
   return error ? 1 : 1 + (packed ? 1.5e-4 : 1.5e-5) * bytes;
 }
 
-occt::Model read_told(const std::filesystem::path& file) {
+occt::Model read_and_report(const std::filesystem::path& file) {
   const std::string name = file.string();
   enter(Phase::Reading, name);
   allow_processor_time(reading_allowance(file));

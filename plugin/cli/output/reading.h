@@ -31,7 +31,7 @@ double reading_allowance(const std::filesystem::path& file);
 /// Reads a model, telling the supervision each step, says on stderr what is lost, and keeps it for
 /// the reports.
 /// throws   occt::BadModel as read_model, or if shapes are missing and the policy is strict
-occt::Model read_told(const std::filesystem::path& file);
+occt::Model read_and_report(const std::filesystem::path& file);
 
 /// Does checks of a file's shapes as optional steps (see supervision.h), each with as much
 /// processor time as reading has.

@@ -3,7 +3,7 @@
 
 namespace blossom::cli {
 
-std::vector<std::string> told_reasons(const Certificate& certificate, Contacts contacts) {
+std::vector<std::string> reported_reasons(const Certificate& certificate, Contacts contacts) {
   static const std::string kListed = "in the listed contacts";
   std::vector<std::string> reasons = certificate.reasons;
   if (contacts == Contacts::NotListed)

@@ -14,6 +14,6 @@ namespace blossom::cli {
 enum class Contacts { Listed, NotListed };
 
 /// The reasons of a certificate as they are told.
-std::vector<std::string> told_reasons(const Certificate& certificate, Contacts contacts);
+std::vector<std::string> reported_reasons(const Certificate& certificate, Contacts contacts);
 
 }  // namespace blossom::cli

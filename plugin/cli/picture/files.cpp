@@ -15,7 +15,7 @@
 namespace blossom::cli {
 namespace {
 
-void tell_faces_not_filled(const std::vector<SceneMesh>& meshes) {
+void report_faces_not_filled(const std::vector<SceneMesh>& meshes) {
   std::map<std::string, std::size_t> faces;  // by the reason
   for (const SceneMesh& item : meshes)
     if (!item.mesh.obstacle.empty()) ++faces[item.mesh.obstacle];
@@ -41,7 +41,7 @@ std::vector<PictureFile> picture_files(const CommonOptions& options,
   picture.width = options.look.width;
   picture.height = options.look.height;
   const std::vector<SceneMesh> meshes = scene_meshes(picture);
-  tell_faces_not_filled(meshes);
+  report_faces_not_filled(meshes);
   if (!options.picture.empty()) files.push_back({options.picture, picture_png(picture, meshes)});
   if (!options.look.html.empty()) files.push_back({options.look.html, page_html(picture, meshes)});
   if (!options.look.glb.empty()) files.push_back({options.look.glb, glb_bytes(picture, meshes)});

@@ -126,7 +126,7 @@ int face_count(const std::filesystem::path& file) {
   if (memory == MAP_FAILED) return 0;
   int* const count = new (memory) int(0);
   supervised([&] {
-    *count = read_told(file).face_count();
+    *count = read_and_report(file).face_count();
     return 0;
   });
   const int result = *count;

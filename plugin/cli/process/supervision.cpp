@@ -328,7 +328,7 @@ std::string doing() {
 
 Ending last_ending() { return {work_crashed, board != nullptr && board->lacks_memory}; }
 
-void tell_lack_of_memory() {
+void report_lack_of_memory() {
   if (board != nullptr) board->lacks_memory = true;
 }
 

@@ -45,7 +45,7 @@ struct Ending {
 Ending last_ending();
 
 /// Tells the parent that memory was refused.
-void tell_lack_of_memory();
+void report_lack_of_memory();
 
 /// A time limit for work that is supervised from now on, in seconds; what the user says to the work
 /// itself can only be less.

@@ -183,7 +183,7 @@ occt::Model common_bodies(const ClashAnswer& answer) {
   return model;
 }
 
-std::string told_name(const ClashAnswer& answer, std::size_t part) {
+std::string displayed_name(const ClashAnswer& answer, std::size_t part) {
   const NamedPart& named = answer.parts[part];
   if (answer.inputs.size() < 2 || !named.part.empty()) return named.name;
   return std::filesystem::path(named.input->name).filename().string() + " " + named.name;

@@ -44,7 +44,7 @@ struct ClashRow {
 };
 
 /// The name of a part in words: of two models a solid without one has the name of its file.
-std::string told_name(const ClashAnswer& answer, std::size_t part);
+std::string displayed_name(const ClashAnswer& answer, std::size_t part);
 
 /// How many pairs there are.
 std::size_t pair_count(const ClashAnswer& answer);

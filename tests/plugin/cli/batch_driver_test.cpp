@@ -42,7 +42,7 @@ int on_demand(int argc, char** argv) try {
   if (wish == "complain") std::cerr << "blossom: no\n";
   return wish == "code" ? std::atoi(argv[2]) : 0;
 } catch (const std::bad_alloc&) {
-  tell_lack_of_memory();
+  report_lack_of_memory();
   return kExitFailure;
 }
 

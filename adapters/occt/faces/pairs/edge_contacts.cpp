@@ -59,7 +59,7 @@ Vec2 value(const Handle(Geom2d_Curve) & chart, double t) {
 bool holds(const Interval& place, double t) { return place.from <= t && t <= place.to; }
 
 // Whether a contact of the search is among its points or runs.
-bool is_told(const CurvePlace& place, const CurveIntersection& found) {
+bool is_reported(const CurvePlace& place, const CurveIntersection& found) {
   if (place.kind == PlaceKind::Open) return false;
   if (place.kind == PlaceKind::Overlap)
     return std::ranges::any_of(found.overlaps, [&](const CurveOverlap& run) {
@@ -103,7 +103,7 @@ void add(const Outline& p, const Outline& q, const CurveIntersection& found, dou
     contacts.runs.push_back({p.of, q.of, run.a, run.b, run.gap_high, run.proven});
   contacts.complete = contacts.complete && found.status != Status::Stopped &&
                       std::ranges::all_of(found.places, [&](const CurvePlace& place) {
-                        return is_told(place, found);
+                        return is_reported(place, found);
                       });
 }
 

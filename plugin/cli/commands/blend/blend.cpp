@@ -58,7 +58,7 @@ TimedStrip timed_strip(const Input& a, const Input& b, const StripCommand& comma
 }
 
 /// What could not be taken from the face's own control points.
-void tell_fit(std::ostream& text, const Input& input, const occt::FaceStripEnd& end) {
+void report_fit(std::ostream& text, const Input& input, const occt::FaceStripEnd& end) {
   if (!end.exact)
     text << "  " << input.name << ' ' << reports::start_text(input.shape, end.start)
          << " is followed by polynomials within " << rounded(end.fit_error) << '\n';
@@ -77,8 +77,8 @@ std::string summary(const Input& a, const Input& b, const TimedStrip& timed, int
        << rounded(worst.normal_angle) << " rad";
   if (order > 1) text << ", difference of curvatures " << rounded(worst.curvature);
   text << ", " << seconds_text(timed.seconds) << "\n";
-  tell_fit(text, a, made.ends[0]);
-  tell_fit(text, b, made.ends[1]);
+  report_fit(text, a, made.ends[0]);
+  report_fit(text, b, made.ends[1]);
   return text.str();
 }
 

@@ -255,7 +255,7 @@ int run(FilletCommand command) {
         timed.made.refused.empty() ? "no edge was changed" : timed.made.refused.front().text();
     std::vector<std::string> files = picture_names(outputs);
     if (!outputs.output.empty()) files.insert(files.begin(), outputs.output);
-    for (const std::string& file : files) tell_unwritten(file, reason);
+    for (const std::string& file : files) report_unwritten(file, reason);
     if (files.empty())
       std::cerr << "blossom: there is no " << (command.is_chamfer() ? "chamfer: " : "fillet: ")
                 << reason << '\n';

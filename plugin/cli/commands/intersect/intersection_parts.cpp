@@ -95,7 +95,7 @@ int write_outputs(const Input& a, const Input& b, const std::string& title,
   stop_if_interrupted();
 
   if (model) write_model(*model, options.output);
-  if (unwritten) tell_nothing_found(options.output, "no curve and no point was found");
+  if (unwritten) report_nothing_found(options.output, "no curve and no point was found");
   write_pictures(pictures);
   if (!options.json.empty()) {
     write_json(&a == &b ? reports::self_intersection_report(a, result.found, result.times)

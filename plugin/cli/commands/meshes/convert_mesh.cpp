@@ -107,7 +107,7 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
   meshes::ShapeMesh made = meshed(input, groups, options);
   stop_if_interrupted();
   if (made.made.facets.stopped) {
-    tell_unwritten(common.output, "the time limit was reached while it was meshed");
+    report_unwritten(common.output, "the time limit was reached while it was meshed");
     return kExitStopped;
   }
   reports::MeshAnswer& answer = made.answer;

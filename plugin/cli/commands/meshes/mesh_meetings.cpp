@@ -39,7 +39,7 @@ constexpr double kModelDeviation = 1e-4;  // of a model's size: how near its tri
 
 void write_curves(const SectionsAnswer& answer, const std::string& file) {
   if (!reports::has_shape(answer))
-    return tell_nothing_found(file, "no curve and no point was found");
+    return report_nothing_found(file, "no curve and no point was found");
   if (drawings::is_drawing_file(file)) return drawings::write_section_drawing(answer, file);
   write_model(reports::model_of(answer), file);
 }

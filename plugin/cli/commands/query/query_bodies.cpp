@@ -6,7 +6,7 @@ std::string QuerySide::text(const occt::ShapePoint& place) const {
   return place_text(numbers, input, place);
 }
 
-std::string QuerySide::told_surface() const {
+std::string QuerySide::displayed_surface() const {
   const int faces = surface_faces();
   if (faces == 0) return {};
   const std::string taken = "taken as a surface, which has no inside: ";
@@ -52,7 +52,7 @@ std::string relation_lines(const occt::ModelRelation& found, const QuerySide& a,
   std::string text;
   if (a.bodies->all().size() > 1 || b.bodies->all().size() > 1)
     for (const occt::BodyPair& pair : found.pairs) text += pair_line(pair, a, b);
-  return text + a.told_surface() + b.told_surface();
+  return text + a.displayed_surface() + b.displayed_surface();
 }
 
 }  // namespace blossom::cli

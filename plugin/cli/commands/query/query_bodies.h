@@ -22,7 +22,7 @@ struct QuerySide : reports::MeasuredInput {
   std::string text(const occt::ShapePoint& place) const;
 
   /// What is taken as a surface and why, as a line; empty if nothing is.
-  std::string told_surface() const;
+  std::string displayed_surface() const;
 
   /// "solid 2 of bolt.step (bolt)", "the surface of lid.brep".
   std::string body_text(std::size_t body) const;

@@ -88,7 +88,7 @@ std::string text_of(const Input& input, const Answer& answer) {
   for (const std::size_t node : section.points)
     text << "  point " << vector_text(without_roundings(section.nodes[node].point)) << "\n";
   list_places(input, section, text);
-  for (const std::string& reason : told_reasons(section.certificate, Contacts::Listed))
+  for (const std::string& reason : reported_reasons(section.certificate, Contacts::Listed))
     text << "  " << reason << "\n";
   return text.str();
 }
@@ -122,7 +122,7 @@ void write_outputs(const Input& input, const PlaneCommand& options, const Answer
   const Json json = reports::section_report(input, answer.plane, options.engine.tolerance, section,
                                             answer.seconds);
   if (report) write_json(json, common.output);
-  if (shapes && !any) tell_nothing_found(common.output, "no wire and no point was found");
+  if (shapes && !any) report_nothing_found(common.output, "no wire and no point was found");
   write_pictures(pictures);
   if (!common.json.empty()) write_json(json, common.json);
   print_summary(text_of(input, answer), common.json);

@@ -41,7 +41,8 @@ std::string not_proven(const SectionsOfPlane& plane) {
   for (const PartSection& part : plane.parts) {
     if (part.section.status == Status::Complete) continue;
     std::string why;
-    for (const std::string& reason : told_reasons(part.section.certificate, Contacts::NotListed))
+    for (const std::string& reason :
+         reported_reasons(part.section.certificate, Contacts::NotListed))
       why += (why.empty() ? ": " : "; ") + reason;
     parts[why].push_back(part.name + " (" + to_string(stated(part.section.status)) + ")");
   }
@@ -116,7 +117,7 @@ SectionsAnswer cut(const Input& input, const std::vector<NamedPlane>& planes,
 void write_result(const Input& input, const SectionsAnswer& answer, const std::string& file) {
   if (ending_of(file) == ".json") return write_json(reports::sections_report(input, answer), file);
   if (!reports::has_shape(answer))
-    return tell_nothing_found(file, "no wire and no point was found");
+    return report_nothing_found(file, "no wire and no point was found");
   if (drawings::is_drawing_file(file)) return drawings::write_section_drawing(answer, file);
   write_model(reports::model_of(answer), file);
 }

@@ -121,7 +121,7 @@ std::string summary(const Inputs& inputs, const FaceLabels& labels, const TimedT
          << (piece.kept ? "" : ", left out") << "\n";
   for (const std::string& note : timed.made.notes) text << "  " << note << "\n";
   if (timed.made.status != Status::Complete)
-    for (const std::string& reason : told_reasons(timed.made.certificate, Contacts::NotListed))
+    for (const std::string& reason : reported_reasons(timed.made.certificate, Contacts::NotListed))
       text << "  " << reason << "\n";
   return text.str();
 }
@@ -176,7 +176,7 @@ int write_outputs(Inputs& inputs, TimedTrim& timed, const TrimCommand& options) 
                      options.common.output);
   else if (write)
     write_model(inputs.part.model, options.common.output);
-  if (unwritten) tell_unwritten(options.common.output, reason);
+  if (unwritten) report_unwritten(options.common.output, reason);
   write_pictures(pictures);
   if (!options.common.json.empty()) write_json(report, options.common.json);
   print_summary(text, options.common.json);

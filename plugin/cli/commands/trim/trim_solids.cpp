@@ -186,7 +186,7 @@ std::string summary(const SolidTrim& options, const TimedSolids& timed) {
   for (const std::string& idle : timed.idle) text << "  " << idle << "\n";
   for (const std::string& cause : reports::causes(timed.made)) text << "  " << cause << "\n";
   if (timed.made.status != Status::Complete)
-    for (const std::string& reason : told_reasons(timed.made.certificate, Contacts::NotListed))
+    for (const std::string& reason : reported_reasons(timed.made.certificate, Contacts::NotListed))
       text << "  " << reason << "\n";
   return text.str();
 }
@@ -233,9 +233,9 @@ std::string reason_of(const occt::SolidTrimResult& made) {
   return made.solids.empty() && made.sheets.empty() ? "the result is empty" : "";
 }
 
-void tell_no_solid(const CommonOptions& outputs, const std::string& reason) {
-  if (!outputs.output.empty()) tell_unwritten(outputs.output, reason);
-  for (const std::string& file : picture_names(outputs)) tell_unwritten(file, reason);
+void report_no_solid(const CommonOptions& outputs, const std::string& reason) {
+  if (!outputs.output.empty()) report_unwritten(outputs.output, reason);
+  for (const std::string& file : picture_names(outputs)) report_unwritten(file, reason);
   if (!wants_shape(outputs)) std::cerr << "blossom: there is no solid: " << reason << '\n';
 }
 
@@ -282,7 +282,7 @@ int trim_solids(const SolidTrim& options) {
     write_model(part, outputs.output);
   }
   write_pictures(pictures);
-  if (!reason.empty()) tell_no_solid(outputs, reason);
+  if (!reason.empty()) report_no_solid(outputs, reason);
   if (!outputs.json.empty()) write_json(reports::solid_report(timed), outputs.json);
   print_summary(summary(options, timed) + (write ? others : ""), outputs.json);
   return exit_code_of(timed.made);
