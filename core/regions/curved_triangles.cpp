@@ -220,7 +220,7 @@ class Region {
     chart.is_valid = [&](const Corners& corners) {
       return keeps_its_turn(curved(corners, arc_between, chart.points).map);
     };
-    if (!raise_low_triangles(triangles, chart)) return;
+    if (!raise_sliver_triangles(triangles, chart)) return;
     std::vector<int> names;
     for (std::size_t k = given; k < chart.points.size(); ++k)
       names.push_back(borders_.vertex_at(unscaled(chart.points[k])));

@@ -272,7 +272,7 @@ class Raiser {
 
 }  // namespace
 
-bool raise_low_triangles(std::vector<std::array<int, 3>>& triangles, TriangleChart& chart) {
+bool raise_sliver_triangles(std::vector<std::array<int, 3>>& triangles, TriangleChart& chart) {
   return Raiser(triangles, chart).raise_all();
 }
 

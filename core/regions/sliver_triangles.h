@@ -42,7 +42,7 @@ struct TriangleChart {
 /// triangles   counter-clockwise; no two walk from a vertex to the same other one
 /// returns     whether there were any
 /// cost        O(n log n) for n triangles, few of them low
-bool raise_low_triangles(std::vector<std::array<int, 3>>& triangles, TriangleChart& chart);
+bool raise_sliver_triangles(std::vector<std::array<int, 3>>& triangles, TriangleChart& chart);
 
 /// What a change of triangles has to bring.
 inline constexpr double kRaised = 1.5;

@@ -305,7 +305,7 @@ class FacingChords {
 
 }  // namespace
 
-void divide_closed_tips(WatertightPieces& pieces) { Divider(pieces).divide_all(); }
+void divide_two_triangle_vertices(WatertightPieces& pieces) { Divider(pieces).divide_all(); }
 
 void divide_facing_chords(WatertightPieces& pieces) {
   const std::set<int> chords = FacingChords(pieces).found();

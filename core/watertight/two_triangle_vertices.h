@@ -13,7 +13,7 @@ namespace blossom {
 /// where both have a rectangle or an edge behind them, the tip stays.
 ///
 /// pieces   before their sides are moved; triangles above kMaxDegree are left as they are
-void divide_closed_tips(WatertightPieces& pieces);
+void divide_two_triangle_vertices(WatertightPieces& pieces);
 
 /// Divides chords: sides inside of a face whose ends are both on edges that it has in common with
 /// one and the same other face. Where both faces have chords over one stretch of their edges,
@@ -21,7 +21,7 @@ void divide_closed_tips(WatertightPieces& pieces);
 /// leaves its chords more get a vertex in the middle, and both triangles beside them are halved;
 /// chords beside a rectangle or a triangle at a pole, or with one triangle on both sides, stay.
 ///
-/// pieces   as divide_closed_tips
+/// pieces   as divide_two_triangle_vertices
 /// cost     O(n log n) for n sides
 void divide_facing_chords(WatertightPieces& pieces);
 

@@ -241,7 +241,7 @@ class Builder {
     }
     lowering_.lower(result_, surfaces_, options_.highest_degree,
                     kTrianglePart * options_.tolerance);
-    divide_closed_tips(result_);
+    divide_two_triangle_vertices(result_);
     divide_facing_chords(result_);
     find_coarse_sides();
     unmoved_ = result_;

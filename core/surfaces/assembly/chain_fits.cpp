@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/base/parallel.h"
-#include "core/surfaces/branches/chain_scraps.h"
+#include "core/surfaces/branches/spurious_branches.h"
 #include "core/tracing/fit.h"
 #include "core/tracing/trace.h"
 

@@ -17,10 +17,10 @@
 #include "core/surfaces/assembly/result_places.h"
 #include "core/surfaces/branches/arc_chains.h"
 #include "core/surfaces/branches/arcs_along_borders.h"
-#include "core/surfaces/branches/chain_scraps.h"
 #include "core/surfaces/branches/chains_at_poles.h"
 #include "core/surfaces/branches/found_places.h"
 #include "core/surfaces/branches/shared_borders.h"
+#include "core/surfaces/branches/spurious_branches.h"
 #include "core/surfaces/coincidence/overlaps.h"
 #include "core/surfaces/contacts/contact_arms.h"
 #include "core/surfaces/contacts/contact_chains.h"
@@ -92,7 +92,8 @@ class Assembly {
     drop_beside_known(cells_a);
     attach(loose_ends(found_, cells_a, cells_b, contacts_), found_, cells_a, cells_b, contacts_,
            size_, options_.tolerances.point);
-    drop_scraps(found_, cells_a, cells_b, contacts_, clusters_, options_.tolerances.point);
+    drop_spurious_branches(found_, cells_a, cells_b, contacts_, clusters_,
+                           options_.tolerances.point);
     meet_in_centres(contacts_, cells_a, cells_b, found_, options_.tolerances.point);
     drop_regular(contacts_, found_, cells_a);
     std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clusters_);

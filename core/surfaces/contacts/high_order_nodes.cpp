@@ -256,9 +256,9 @@ class Disc {
       const ContactPoint& end = side == 0 ? part.path.front() : part.path.back();
       return cut[side] || (!on_border(end) && part.arms[side].empty());
     };
-    const bool scrap = !part.closed && (cut[0] || cut[1]) && is_dead(0) && is_dead(1) &&
-                       part.length <= kBeside * node_.radius;
-    if (part.path.size() < 2 || scrap)
+    const bool spurious = !part.closed && (cut[0] || cut[1]) && is_dead(0) && is_dead(1) &&
+                          part.length <= kBeside * node_.radius;
+    if (part.path.size() < 2 || spurious)
       take(part);
     else
       outside.push_back(std::move(part));

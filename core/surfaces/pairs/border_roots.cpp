@@ -17,7 +17,7 @@ namespace {
 constexpr double kBorderSlack = 4e-11;  // a root this close to a face is on it; fraction of a patch
 constexpr int kKrawczykSteps = 16;
 constexpr int kFirstSteps = 3;           // of them before Newton's method
-constexpr double kSlidingSlack = 0.02;   // of a cell, from the face that an arc may run along
+constexpr double kAlongSlack = 0.02;     // of a cell, from the face that an arc may run along
 constexpr double kPartSlack = 1e-9;      // a root this close to a part is in it; of a cell
 constexpr double kSumSlack = 1e-12;      // covers the rounding of places in a cell
 constexpr double kTangentToFace = 1e-6;  // slower than this across a face means undecided
@@ -124,7 +124,7 @@ class PairBorder {
         met_[index(face.axis)][face.high] = points.size() > before;
         continue;
       }
-      if (face.axis == along_ || !slides_along(face)) return false;
+      if (face.axis == along_ || !runs_along(face)) return false;
       points.resize(before);
       sliding_[index(face.axis)][face.high] = true;
     }
@@ -246,9 +246,9 @@ class PairBorder {
   }
 
   // True if the box meets the arc, and only along the given face, as far as points of it tell.
-  bool slides_along(const BoxFace& face) {
+  bool runs_along(const BoxFace& face) {
     const PairPart& last = arc_->stretch(undecided_).part;
-    if (std::abs(last.middle[index(face.axis)] - side_of(face)) > kSlidingSlack) return false;
+    if (std::abs(last.middle[index(face.axis)] - side_of(face)) > kAlongSlack) return false;
     for (std::size_t number = ArcStretches::kCount / 2; number < ArcStretches::kCount; ++number)
       if (const ArcStretch& s = arc_->stretch(number); !s.empty && off(s.part, face)) return false;
     int on_face = 0;

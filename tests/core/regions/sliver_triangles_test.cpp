@@ -75,7 +75,7 @@ TEST(LowTriangles, AreFlippedWhereThatRaisesThem) {
   TriangleChart chart = plane({{0, 0}, {1, -0.01}, {2, 0}, {1, 1}}, {{0, 1}, {1, 2}}, 0.1);
   std::vector<Corners> triangles{{0, 1, 2}, {0, 2, 3}};
 
-  EXPECT_TRUE(raise_low_triangles(triangles, chart));
+  EXPECT_TRUE(raise_sliver_triangles(triangles, chart));
 
   EXPECT_EQ(triangles, (std::vector<Corners>{{0, 1, 3}, {1, 2, 3}}));
   EXPECT_EQ(chart.points.size(), 4u);
@@ -90,7 +90,7 @@ TEST(LowTriangles, GetAVertexInsideWhereNoFlipHelps) {
   const double whole = area(chart, triangles);
   EXPECT_LT(lowest(chart, triangles), 0.05);
 
-  EXPECT_TRUE(raise_low_triangles(triangles, chart));
+  EXPECT_TRUE(raise_sliver_triangles(triangles, chart));
 
   EXPECT_EQ(chart.points.size(), 7u);
   EXPECT_GT(lowest(chart, triangles), 0.3);
@@ -108,7 +108,7 @@ TEST(LowTriangles, AreRaisedAtAPole) {
   };
   std::vector<Corners> triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
 
-  EXPECT_TRUE(raise_low_triangles(triangles, chart));
+  EXPECT_TRUE(raise_sliver_triangles(triangles, chart));
 
   for (const Corners& t : triangles) {
     const bool at_pole = std::ranges::count(t, 0) > 0 && std::ranges::count(t, 5) > 0;
@@ -120,7 +120,7 @@ TEST(LowTriangles, StayWhereTheRegionIsNarrow) {
   TriangleChart chart = plane({{0, 0}, {1, -0.01}, {2, 0}}, {{0, 1}, {1, 2}}, 0.1);
   std::vector<Corners> triangles{{0, 1, 2}};
 
-  EXPECT_FALSE(raise_low_triangles(triangles, chart));
+  EXPECT_FALSE(raise_sliver_triangles(triangles, chart));
 
   EXPECT_EQ(triangles, (std::vector<Corners>{{0, 1, 2}}));
   EXPECT_EQ(chart.points.size(), 3u);
@@ -130,7 +130,7 @@ TEST(LowTriangles, StayWhereTheyAreHighEnough) {
   TriangleChart chart = plane({{0, 0}, {1, -0.01}, {2, 0}, {1, 1}}, {{0, 1}, {1, 2}}, 1e-3);
   std::vector<Corners> triangles{{0, 1, 2}, {0, 2, 3}};
 
-  EXPECT_FALSE(raise_low_triangles(triangles, chart));
+  EXPECT_FALSE(raise_sliver_triangles(triangles, chart));
 }
 
 TEST(LowTriangles, StayWhereCurvedSidesLeaveNothingElse) {
@@ -138,7 +138,7 @@ TEST(LowTriangles, StayWhereCurvedSidesLeaveNothingElse) {
   chart.is_valid = [](const Corners&) { return false; };
   std::vector<Corners> triangles{{0, 1, 2}, {0, 2, 3}};
 
-  EXPECT_FALSE(raise_low_triangles(triangles, chart));
+  EXPECT_FALSE(raise_sliver_triangles(triangles, chart));
 }
 
 // Stars in a chart that is sheared in space, so that its Delaunay triangles are low there.
@@ -161,7 +161,7 @@ TEST_P(LowTrianglesProperty, CoverTheRegionOnceAndAreNoLower) {
   std::vector<Corners> triangles = triangulate(points, sides).triangles;
   const double whole = area(chart, triangles), before = lowest(chart, triangles);
 
-  raise_low_triangles(triangles, chart);
+  raise_sliver_triangles(triangles, chart);
 
   for (const auto& [a, b, c] : triangles)
     EXPECT_GT(orientation(point(chart, a), point(chart, b), point(chart, c)), 0);

@@ -69,7 +69,7 @@ int count_at(const WatertightPieces& pieces, int vertex) {
 TEST(ClosedTips, AreOpenedByHalvingOneTriangleAndTheOneBehind) {
   const WatertightPieces given = lens();
   WatertightPieces pieces = given;
-  divide_closed_tips(pieces);
+  divide_two_triangle_vertices(pieces);
   EXPECT_EQ(count_at(pieces, 0), 3);
   ASSERT_EQ(pieces.pieces.size(), 6u);
   ASSERT_EQ(pieces.vertices.size(), 6u);
@@ -81,7 +81,7 @@ TEST(ClosedTips, AreOpenedByHalvingOneTriangleAndTheOneBehind) {
 
 TEST(ClosedTips, LeaveWholeSidesBetweenTheirVertices) {
   WatertightPieces pieces = lens();
-  divide_closed_tips(pieces);
+  divide_two_triangle_vertices(pieces);
   std::map<int, int> uses;
   for (const WatertightPiece& piece : pieces.pieces)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -106,7 +106,7 @@ TEST(ClosedTips, LeaveWholeSidesBetweenTheirVertices) {
 TEST(ClosedTips, StayWhereEdgesAreBehind) {
   WatertightPieces pieces = lens();
   pieces.sides[2].edge = pieces.sides[3].edge = 2;
-  divide_closed_tips(pieces);
+  divide_two_triangle_vertices(pieces);
   EXPECT_EQ(pieces.pieces.size(), 4u);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/branches/chain_scraps.h"
+#include "core/surfaces/branches/spurious_branches.h"
 
 #include <algorithm>
 
@@ -57,14 +57,14 @@ int contact_with(const Chain& chain, const Box& box, const std::vector<ContactCh
 
 }  // namespace
 
-void drop_scraps(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                 std::vector<ContactChain>& contacts, const std::vector<CriticalCluster>& clusters,
-                 double tolerance) {
+void drop_spurious_branches(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
+                            std::vector<ContactChain>& contacts,
+                            const std::vector<CriticalCluster>& clusters, double tolerance) {
   if (contacts.empty()) return;
   for (const Chain& chain : chains_of(found, a, b, contacts, clusters)) {
     const int contact = contact_with(chain, end_box(a, found, chain), contacts, tolerance);
     if (contact < 0) continue;
-    // The scrap is told by its contact, which has to stay for that.
+    // A spurious one is known by its contact, which has to stay for that.
     contacts[static_cast<std::size_t>(contact)].regular = false;
     for (const ChainLink& link : chain.links)
       found.arcs[static_cast<std::size_t>(link.arc)].dropped = true;

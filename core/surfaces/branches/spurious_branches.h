@@ -21,8 +21,8 @@ inline constexpr double kShortestBranch = 4;
 /// those to or along a border that it reaches.
 ///
 /// tolerance    model units
-void drop_scraps(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                 std::vector<ContactChain>& contacts, const std::vector<CriticalCluster>& clusters,
-                 double tolerance);
+void drop_spurious_branches(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
+                            std::vector<ContactChain>& contacts,
+                            const std::vector<CriticalCluster>& clusters, double tolerance);
 
 }  // namespace blossom
