@@ -11,6 +11,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/kept_tolerances.h"
+#include "adapters/occt/base/limits.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/intersection.h"
@@ -21,8 +22,6 @@
 
 namespace blossom::occt {
 namespace {
-
-constexpr double kReach = 10;  // tolerances: what is so near a tool's face lies on it
 
 struct Judged {
   PieceSide side = PieceSide::Unknown;
@@ -99,7 +98,7 @@ void add_common_border(const FaceIntersection& pair, const ToolFaces& tools, dou
                        Job& job) {
   const auto place = static_cast<std::size_t>(pair.face_b);
   const SurfaceProjector feet(job.of->face, tolerance);
-  for (FaceCut& cut : edge_cuts(tools.faces[place], feet, kReach * tolerance, tolerance)) {
+  for (FaceCut& cut : edge_cuts(tools.faces[place], feet, kOnIt * tolerance, tolerance)) {
     cut.may_repeat = true;
     job.division.add_cut(std::move(cut), {tools.tool[place], tools.faces[place], {}, true});
   }
@@ -209,7 +208,7 @@ std::vector<Judged> judged(const std::vector<Job>& jobs, const std::vector<TrimT
   }
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (const auto& [tool, face] : job_of[i]->coincident)
-      if (lies_on(pieces[i].piece->face, face, kReach * tolerance))
+      if (lies_on(pieces[i].piece->face, face, kOnIt * tolerance))
         sides[i][static_cast<std::size_t>(tool)] = ToolSide::On;
   const bool solids =
       std::all_of(tools.begin(), tools.end(), [](const TrimTool& tool) { return tool.is_solid(); });

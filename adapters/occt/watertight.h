@@ -13,6 +13,10 @@
 
 namespace blossom::occt {
 
+/// How many tolerances of a trim its result may be off when it is made watertight: trims' own edges
+/// are about one tolerance off, and triangles need room beside them. A choice.
+inline constexpr double kWatertightFactor = 10;
+
 struct WatertightShape {
   WatertightPieces pieces;
   /// For each face of the shape, in the order of TopExp::MapShapes, the faces of its pieces,

@@ -27,8 +27,6 @@ using namespace py::literals;
 namespace blossom::python {
 namespace {
 
-constexpr double kWatertightFactor = 10;  // trims' own edges are about one tolerance off
-
 using Turns = std::list<LoadedModel::Turn>;
 
 // The turns of all models, each once and in one order for everybody.
@@ -199,7 +197,7 @@ Answer watertight(const SharedModel& model, const Control& control) {
         const IntersectionOptions left = watch.engine();
         const WorkLimit limit(left);
         WatertightOptions options;
-        options.tolerance = kWatertightFactor * control.engine.tolerances.point;
+        options.tolerance = occt::kWatertightFactor * control.engine.tolerances.point;
         options.ask = [&limit] { return limit.reached() == nullptr; };
         return occt::watertight(reports::chosen_shape(input), options);
       }));

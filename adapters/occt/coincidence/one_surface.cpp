@@ -11,7 +11,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/coincidence/limits.h"
+#include "adapters/occt/base/limits.h"
 #include "adapters/occt/coincidence/trimmed_overlaps.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/pairs/edge_contacts.h"

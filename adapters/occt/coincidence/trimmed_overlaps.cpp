@@ -11,8 +11,8 @@
 #include <BRep_Tool.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/limits.h"
 #include "adapters/occt/base/points.h"
-#include "adapters/occt/coincidence/limits.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/point_inside.h"

@@ -14,6 +14,7 @@
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/limits.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "core/curve_surface_intersection.h"
@@ -21,7 +22,6 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kAlongReach = 10;  // of the tolerances: a curve so near an edge runs along it
 constexpr int kEdgeSamples = 65;
 
 double distance_to(const SectionCurve& curve, const Vec3& p) {
@@ -32,7 +32,7 @@ double distance_to(const SectionCurve& curve, const Vec3& p) {
 }
 
 double reach_of(const SectionCurve& edge, double tolerance) {
-  return kAlongReach * std::max(tolerance, edge.tolerance);
+  return kOnIt * std::max(tolerance, edge.tolerance);
 }
 
 SectionCurve curve_of(std::size_t face, const TopoDS_Edge& edge, const Heights& heights) {

@@ -12,8 +12,6 @@
 namespace blossom::cli {
 namespace {
 
-constexpr double kToleranceFactor = 10;  // trims' own edges are about one tolerance off
-
 Vec4 homogeneous(const Vec3& p) { return {p[0], p[1], p[2], 1}; }
 
 nets::NetValue value_of(const WatertightPiece& piece) {
@@ -36,7 +34,7 @@ occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptio
   left.time_limit = seconds;
   const WorkLimit limit(left);
   WatertightOptions options;
-  options.tolerance = kToleranceFactor * engine.tolerance;
+  options.tolerance = occt::kWatertightFactor * engine.tolerance;
   options.ask = [&limit] {
     stop_if_interrupted();
     return limit.reached() == nullptr;
