@@ -53,7 +53,8 @@ from ._intersections import (
     SelfIntersection,
 )
 from ._meshes import Mesh
-from ._model import FileName, Model, Radii, Radius, model_of
+from ._model import FileName, Model, model_of
+from ._operations import Radii, Radius
 from ._queries import (
     Check,
     Continuity,
