@@ -13,6 +13,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/limits.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/coincidence/known_crossings.h"
 #include "adapters/occt/coincidence/one_surface.h"
@@ -36,7 +37,6 @@ namespace {
 
 constexpr double kSmoothAngle = 0.05;  // radians: so flat an edge is taken for smooth
 constexpr double kExact = 1e-9;        // of the size: borders as near as this agree
-constexpr double kBeyondBox = 1e-2;    // of the faces' size: what a line goes on past their box
 constexpr const char* kNoTime = "the limit was reached before these faces were searched";
 
 // Whether the edges and vertices that two faces share belong to their intersection.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/cells/limits.h"
 #include "core/neighbours/coedge_stretch.h"
 #include "core/neighbours/limits.h"
 #include "core/neighbours/sliver_spans.h"
@@ -14,7 +15,6 @@
 namespace blossom {
 namespace {
 
-constexpr double kCut = 0.4865;  // cells are halved off their middle, as in every search
 constexpr double kEdgeEndRounding = 0x1p-44;  // of a span, by which an edge on its end may miss it
 constexpr Axes kAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
@@ -22,7 +22,7 @@ constexpr Axes kAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
 FaceCells::FaceCells(const FaceData& data, const Vec3& origin)
     : data_(data),
-      cells_(data.surface, origin, CellForm::Auto, kCut, part_test(data.trims)),
+      cells_(data.surface, origin, CellForm::Auto, kSurfaceOffMiddle, part_test(data.trims)),
       slopes_(static_cast<std::size_t>(cells_.patches())),
       widths_(static_cast<std::size_t>(cells_.patches())) {}
 

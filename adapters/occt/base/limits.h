@@ -9,4 +9,8 @@ namespace blossom::occt {
 /// surfaces are each off by a tolerance or two, and where they run beside each other by a few.
 inline constexpr double kOnIt = 10;
 
+/// Of the size of faces or of their common box: how far a line goes on past it. A choice: enough
+/// for tolerances and roundings, and too little to matter in a search.
+inline constexpr double kBeyondBox = 1e-2;
+
 }  // namespace blossom::occt

@@ -10,6 +10,7 @@
 #include <BRep_Tool.hxx>
 #include <gp_Pnt.hxx>
 
+#include "adapters/occt/base/limits.h"
 #include "adapters/occt/coincidence/conic_images.h"
 #include "adapters/occt/tessellation/elementary_charts.h"
 #include "core/base/not_zero.h"
@@ -20,7 +21,6 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kBeyondBox = 1e-2;               // of the box: what a line goes on past it
 constexpr double kWidest = 2 * std::numbers::pi;  // of a range of parameters
 constexpr const char* kContact = "the surfaces touch, or nearly, in the listed contacts";
 

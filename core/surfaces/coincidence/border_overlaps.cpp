@@ -8,6 +8,7 @@
 #include "core/bounds/patch_boxes.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/gap/contact_points.h"
+#include "core/surfaces/gap/limits.h"
 
 namespace blossom {
 namespace {
@@ -16,7 +17,6 @@ constexpr int kSamples = 64;         // per span of a border
 constexpr int kStarts = 8;           // intervals per direction of a patch where feet are sought
 constexpr std::size_t kTried = 3;    // of the nearest of them
 constexpr int kMaxMoves = 8;         // between patches, from one point to the next
-constexpr double kReach = 0.75;      // of Newton's method, fraction of a patch
 constexpr double kSlack = 1e-9;      // fraction of a patch
 constexpr double kBorderWidth = 10;  // tolerances: nearer to a border is on it
 constexpr int kBisections = 48;
@@ -112,7 +112,7 @@ bool BorderFollower::follow(BorderProbe& at, Foot near) {
   const auto& own = own_.tree(at.patch).patch();
   for (int move = 0; move <= kMaxMoves; ++move) {
     const auto solution = foot_point(own, other_.tree(near.patch).patch(),
-                                     {at.x[0], at.x[1], near.x[0], near.x[1]}, kReach);
+                                     {at.x[0], at.x[1], near.x[0], near.x[1]}, kNewtonReach);
     if (!solution) return false;
     near.raw = {(*solution)[2], (*solution)[3]};
     for (int k = 0; k < 2; ++k) near.x[k] = std::clamp(near.raw[k], 0.0, 1.0);

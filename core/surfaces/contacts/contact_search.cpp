@@ -8,6 +8,7 @@
 #include "core/bounds/interval_pairs.h"
 #include "core/cells/cell_pair.h"
 #include "core/cells/cell_part.h"
+#include "core/cells/limits.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_cuts.h"
 #include "core/surfaces/gap/chart_ownership.h"
@@ -99,7 +100,7 @@ class ContactSearch {
     const bool halve_s = norm(cells[0].du.middle) + norm(cells[0].du.radius) >=
                          norm(cells[0].dv.middle) + norm(cells[0].dv.radius);
     const Interval& side = halve_s ? s : t;
-    const double cut = at(side, 0.4865);
+    const double cut = at(side, kSurfaceOffMiddle);
     const Interval low{side.from, cut}, high{cut, side.to};
     cover(halve_s ? low : s, halve_s ? t : low, depth + 1);
     cover(halve_s ? high : s, halve_s ? t : high, depth + 1);

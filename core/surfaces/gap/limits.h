@@ -13,4 +13,8 @@ inline constexpr int kContactSteps = 4;
 /// keeps three quarters of the tolerance for the gap itself.
 inline constexpr double kErrorShare = 0.25;
 
+/// Fraction of a patch: how far Newton's method may go from a point that is near the one sought. A
+/// choice: farther off it is another one.
+inline constexpr double kNewtonReach = 0.75;
+
 }  // namespace blossom

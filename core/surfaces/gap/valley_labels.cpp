@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cells/limits.h"
 #include "core/math/functions/sign_change.h"
 #include "core/surfaces/gap/limits.h"
 
@@ -19,9 +20,10 @@ constexpr int kMaxExactPieces = 40;
 constexpr double kShallow = 1.0 / 64;  // of the tolerance: depth of what is no contact
 constexpr int kDepthSamples = 8;
 constexpr double kSure = 2;  // errors: a gap larger than this has a sure sign
-constexpr std::array kCuts{0.4865, 0.4231, 0.5617};  // of a piece: where it may be halved
-constexpr double kShortestPiece = 1e-9;              // of the cell
-constexpr double kFoldWidth = 0x1p-51;               // likewise: how near the sign changes
+constexpr std::array kCuts{kSurfaceOffMiddle, 0.4231,
+                           0.5617};      // of a piece: where it may be halved
+constexpr double kShortestPiece = 1e-9;  // of the cell
+constexpr double kFoldWidth = 0x1p-51;   // likewise: how near the sign changes
 
 std::vector<ValleyPiece> merged(const std::vector<ValleyPiece>& pieces) {
   std::vector<ValleyPiece> result;

@@ -12,11 +12,11 @@
 #include "core/subdivision/patch_subdivision.h"
 #include "core/subdivision/subdivision_matrix.h"
 #include "core/surfaces/gap/contact_points.h"
+#include "core/surfaces/gap/limits.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kReach = 0.75;     // of Newton's method, fraction of a patch
 constexpr double kStep = 1.0 / 16;  // along a, fraction of a patch
 constexpr double kStepB = 1.0 / 8;  // along b
 constexpr double kMinStep = 1e-6;
@@ -42,7 +42,7 @@ std::optional<Point4> farthest(const RationalBezierPatch& a, const RationalBezie
   while (x[k] != goal && step > kMinStep) {
     Point4 start = x;
     start[k] = goal > x[k] ? std::min(goal, x[k] + step) : std::max(goal, x[k] - step);
-    auto next = foot_point(a, b, start, kReach);
+    auto next = foot_point(a, b, start, kNewtonReach);
     if (next) (*next)[k] = start[k];
     const double moved =
         next ? std::max(std::abs((*next)[2] - x[2]), std::abs((*next)[3] - x[3])) : kUnbounded;
@@ -180,7 +180,7 @@ std::array<Interval, 2> SharedChart::inverse_image(const Interval& in_s,
 
 std::optional<SharedChart> shared_chart(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                         const Point4& near, double tolerance) {
-  const auto x = foot_point(a, b, near, kReach);
+  const auto x = foot_point(a, b, near, kNewtonReach);
   if (!x || !on_extension(*x) || gap_at(a, b, *x) > tolerance) return std::nullopt;
   const auto along_u = direction_of(a, b, *x, 0, tolerance);
   if (!along_u) return std::nullopt;
