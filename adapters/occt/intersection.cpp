@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <functional>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <BRep_Tool.hxx>
@@ -15,6 +15,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/limits.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/base/step_failure.h"
 #include "adapters/occt/coincidence/known_crossings.h"
 #include "adapters/occt/coincidence/one_surface.h"
 #include "adapters/occt/coincidence/trimmed_overlaps.h"
@@ -248,14 +249,13 @@ class PairIntersector {
     const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
     const IntersectionOptions left = limit_.remaining();
     SurfaceIntersection found;
-    try {
-      found = guarded("laying two outlines over each other", [&] {
-        return on_one_surface(faces_a_.face(i), faces_b_.face(j), edges, gap, within,
-                              left.tolerances.point, WorkLimit(left));
-      });
-    } catch (const std::exception& error) {
+    const std::string failure = failure_of("laying two outlines over each other", [&] {
+      found = on_one_surface(faces_a_.face(i), faces_b_.face(j), edges, gap, within,
+                             left.tolerances.point, WorkLimit(left));
+    });
+    if (!failure.empty()) {
       found.status = Status::Stopped;
-      found.certificate.reasons.emplace_back(error.what());
+      found.certificate.reasons.push_back(failure);
     }
     if (found.status == Status::Stopped)
       found.places.push_back(open_place(faces_a_.data(i), faces_b_.data(j)));
@@ -382,14 +382,13 @@ class PairIntersector {
                     SurfaceIntersection& found) const {
     TrimmedOverlaps trimmed;
     const IntersectionOptions left = limit_.remaining();
-    try {
-      trimmed = guarded("clipping a common region", [&] {
-        return trimmed_overlaps(faces_a_.face(i), faces_b_.face(j), whole, left.tolerances.point,
-                                WorkLimit(left));
-      });
-    } catch (const std::exception& error) {
+    const std::string failure = failure_of("clipping a common region", [&] {
+      trimmed = trimmed_overlaps(faces_a_.face(i), faces_b_.face(j), whole, left.tolerances.point,
+                                 WorkLimit(left));
+    });
+    if (!failure.empty()) {
       trimmed.complete = false;
-      found.certificate.reasons.emplace_back(error.what());
+      found.certificate.reasons.push_back(failure);
     }
     found.overlaps = std::move(trimmed.regions);
     std::erase_if(found.places,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/tessellation/shape_reader.h"
 
-#include <exception>
 #include <utility>
 
 #include <BRep_Tool.hxx>
@@ -14,6 +13,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/base/step_failure.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
@@ -40,26 +40,20 @@ class ShapeReader {
       read_.model.vertices.push_back(vec(BRep_Tool::Pnt(TopoDS::Vertex(vertices_(k)))));
     read_.model.edges.resize(index(read_.edges.Extent()));
     edge_faults_.resize(read_.model.edges.size());
-    parallel_for(read_.model.edges.size(), kEdgeGrain,
-                 [this](std::size_t k) { told(edge_faults_[k], [&] { read_edge(k); }); });
+    // What goes wrong with one face is no matter of the others.
+    constexpr const char* kReading = "reading it";
+    parallel_for(read_.model.edges.size(), kEdgeGrain, [this](std::size_t k) {
+      edge_faults_[k] = failure_of(kReading, [&] { read_edge(k); });
+    });
     read_.model.faces.resize(index(faces_.Extent()));
     read_.refusals.resize(read_.model.faces.size());
-    parallel_for(read_.model.faces.size(), 1,
-                 [this](std::size_t f) { told(read_.refusals[f], [&] { read_face(f); }); });
+    parallel_for(read_.model.faces.size(), 1, [this](std::size_t f) {
+      read_.refusals[f] = failure_of(kReading, [&] { read_face(f); });
+    });
     return std::move(read_);
   }
 
  private:
-  // What goes wrong with one face is no matter of the others.
-  template <class Work>
-  static void told(std::string& fault, const Work& work) {
-    try {
-      guarded("reading it", work);
-    } catch (const std::exception& error) {
-      fault = error.what();
-    }
-  }
-
   void read_edge(std::size_t k) {
     const TopoDS_Edge edge =
         TopoDS::Edge(read_.edges(static_cast<int>(k) + 1).Oriented(TopAbs_FORWARD));

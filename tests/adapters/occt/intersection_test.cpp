@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <exception>
 #include <numbers>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -18,6 +19,8 @@
 #include <BRepPrimAPI_MakeWedge.hxx>
 #include <Geom2d_Circle.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_Surface.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
@@ -141,6 +144,36 @@ TEST(IntersectShapes, ListPairsThatThereWasNoTimeFor) {
     EXPECT_EQ(pair.found.places[0].kind, PlaceKind::Open);
     for (int k = 0; k < 3; ++k)
       EXPECT_LE(pair.found.places[0].box_low[k], pair.found.places[0].box_high[k]);
+  }
+}
+
+// What the caller's question throws is no failure of the faces that were at work, wherever it is
+// asked: while outlines are laid over each other, or regions of splines that coincide are clipped.
+TEST(IntersectShapes, EndWithWhatTheQuestionThrows) {
+  struct Ended : std::exception {};
+  const Handle(Geom_Surface) plane = new Geom_Plane(gp_Pln());
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  for (int i = 1; i <= 3; ++i)
+    for (int j = 1; j <= 3; ++j) poles(i, j) = gp_Pnt(i, j, 0.2 * i * j);
+  const Handle(Geom_Surface) spline = new Geom_BezierSurface(poles);
+  for (const Handle(Geom_Surface) & surface : {plane, spline}) {
+    const TopoDS_Face left = BRepBuilderAPI_MakeFace(surface, 0, 0.7, 0, 1, 1e-7);
+    const TopoDS_Face right = BRepBuilderAPI_MakeFace(surface, 0.4, 1, 0.2, 0.9, 1e-7);
+    int asked = 0;
+    for (int ending = 0; asked >= ending; ++ending) {
+      asked = 0;
+      const auto ask = [&] {
+        if (++asked > ending) throw Ended();
+        return false;
+      };
+      bool ended = false;
+      try {
+        intersect({left}, {right}, {.threads = 1, .cancelled = ask});
+      } catch (const Ended&) {
+        ended = true;
+      }
+      EXPECT_EQ(ended, asked > ending) << ending;
+    }
   }
 }
 
