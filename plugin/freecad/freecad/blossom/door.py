@@ -15,23 +15,9 @@ import Part
 
 from . import built_with
 
-# shape     Part's
-# report    what the command line writes with --json
-Answer = collections.namedtuple("Answer", "shape report")
-
 # kind      "module", "program", or "" if there is neither
 # reason    why not the module; or why nothing
 Choice = collections.namedtuple("Choice", "kind reason program")
-
-
-LATER = 10  # how far work is behind the window, in the system's priorities
-
-
-def niceness():
-    """How far work gives way to this process's other threads: a window's goes before it. Only the
-    engine's own threads do. One that gave way while it has Python's lock would keep the window
-    waiting for as long as other programs keep it waiting."""
-    return LATER if FreeCAD.GuiUp else 0
 
 
 class NoEngine(RuntimeError):

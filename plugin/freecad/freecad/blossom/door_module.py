@@ -7,8 +7,7 @@ import tempfile
 import blossom
 import Mesh
 
-from .door import Answer, niceness
-from .mesh import with_segments
+from .answers import Answer, niceness, with_segments
 
 
 class ModuleDoor:

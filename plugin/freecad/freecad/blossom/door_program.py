@@ -12,8 +12,7 @@ import tempfile
 import Mesh
 import Part
 
-from .door import Answer, niceness
-from .mesh import with_segments
+from .answers import Answer, niceness, with_segments
 
 # Exit codes of the program that come with an answer: complete, within tolerance, stopped, findings.
 ANSWERED = (0, 3, 4, 5)

@@ -67,12 +67,3 @@ class Mesh(Feature):
         made.transform(container_of(obj).inverse().toMatrix())
         obj.Mesh = made
         obj.Placement = placement  # a mesh brings its own
-
-
-def with_segments(mesh, groups):
-    """A mesh of FreeCAD with a segment for each face. (Its documents do not keep them; that is what
-    FirstTriangles is for.)"""
-    firsts = [first for _, first in groups] + [mesh.CountFacets]
-    for first, end in zip(firsts, firsts[1:]):
-        mesh.addSegment(list(range(first, end)))
-    return mesh

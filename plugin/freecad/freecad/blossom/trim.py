@@ -5,7 +5,7 @@ import FreeCAD
 import Part
 
 from . import links
-from .door import Answer
+from .answers import Answer
 from .feature import REASONS, TOLERANCE, Choice, Fact, Feature, Link, reasons_of
 
 PICKED = "picked"
