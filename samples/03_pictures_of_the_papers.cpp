@@ -24,9 +24,9 @@
 #include "core/blossom/patch_blossom.h"
 #include "core/blossom/triangle_blossom.h"
 #include "core/papers/q_curve.h"
-#include "plugin/cli/picture/canvas.h"
 #include "plugin/cli/picture/drawing.h"
 #include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/raster/canvas.h"
 #include "plugin/nets/net.h"
 #include "plugin/nets/net_shapes.h"
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "plugin/cli/arguments/values.h"
-#include "plugin/cli/picture/canvas.h"
-#include "plugin/cli/picture/lettering.h"
 #include "plugin/cli/picture/overlay.h"
+#include "plugin/cli/picture/raster/canvas.h"
+#include "plugin/cli/picture/raster/lettering.h"
 
 namespace blossom::cli {
 namespace {

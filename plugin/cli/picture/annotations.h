@@ -4,7 +4,7 @@
 #pragma once
 
 #include "plugin/cli/picture/picture.h"
-#include "plugin/cli/picture/png.h"
+#include "plugin/cli/picture/raster/png.h"
 #include "plugin/cli/picture/view.h"
 
 namespace blossom::cli {

@@ -7,8 +7,8 @@
 
 #include "core/math/index.h"
 #include "plugin/cli/picture/annotations.h"
-#include "plugin/cli/picture/canvas.h"
-#include "plugin/cli/picture/png.h"
+#include "plugin/cli/picture/raster/canvas.h"
+#include "plugin/cli/picture/raster/png.h"
 #include "plugin/cli/picture/scene.h"
 #include "plugin/cli/picture/view.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plugin/cli/picture/picture.h"
-#include "plugin/cli/picture/png.h"
+#include "plugin/cli/picture/raster/png.h"
 #include "plugin/cli/picture/scene.h"
 
 namespace blossom::cli {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "plugin/cli/picture/lettering.h"
+#include "plugin/cli/picture/raster/lettering.h"
 
 namespace blossom::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/math/vec.h"
-#include "plugin/cli/picture/png.h"
+#include "plugin/cli/picture/raster/png.h"
 
 namespace blossom::cli {
 

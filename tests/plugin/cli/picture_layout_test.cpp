@@ -16,8 +16,8 @@
 #include "plugin/cli/picture/annotations.h"
 #include "plugin/cli/picture/drawing.h"
 #include "plugin/cli/picture/hatch.h"
-#include "plugin/cli/picture/lettering.h"
 #include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/raster/lettering.h"
 #include "plugin/cli/picture/view.h"
 #include "tests/plugin/cli/program.h"
 

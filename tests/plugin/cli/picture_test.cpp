@@ -10,9 +10,9 @@
 #include <array>
 #include <cstdlib>
 
-#include "plugin/cli/picture/canvas.h"
 #include "plugin/cli/picture/drawing.h"
-#include "plugin/cli/picture/png.h"
+#include "plugin/cli/picture/raster/canvas.h"
+#include "plugin/cli/picture/raster/png.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/picture/canvas.h"
+#include "plugin/cli/picture/raster/canvas.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/picture/lettering.h"
+#include "plugin/cli/picture/raster/lettering.h"
 
 #include <algorithm>
 #include <array>

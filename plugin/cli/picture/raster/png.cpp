@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/picture/png.h"
+#include "plugin/cli/picture/raster/png.h"
 
 #include <zlib.h>
 
