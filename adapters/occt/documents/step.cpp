@@ -77,8 +77,8 @@ void add_step(const Handle(Standard_Transient) & session, Reading& reading) {
 
 void add_with_names(Reading& reading, const std::function<bool(Document&)>& transfer) {
   if (!reading.options.names) return reading.lose_names(kNamesNotRead);
+  reading.begin(kReadingNames);
   try {
-    reading.begin(kReadingNames);
     const auto document = std::make_shared<Document>();
     if (!transfer(*document)) return;
     reading.contents.document = document;

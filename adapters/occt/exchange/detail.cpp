@@ -15,7 +15,10 @@ void refuse(const std::string& cause, const ReadingReport& report) {
 
 void Reading::begin(const char* doing) {
   step = doing;
-  if (options.step) options.step((step + " of " + file.string()).c_str());
+  if (!options.step) return;
+  asking = true;
+  options.step((step + " of " + file.string()).c_str());
+  asking = false;
 }
 
 void Reading::lose_names(const std::string& cause) {

@@ -43,8 +43,9 @@ struct Reading {
   const std::filesystem::path& file;
   const ReadOptions& options;
   ReadingReport& report;
-  std::string text = {};         ///< of the file, unpacked
-  std::string step = {};         ///< what is being done
+  std::string text = {};  ///< of the file, unpacked
+  std::string step = {};  ///< what is being done
+  bool asking = false;    ///< the caller is told a step: what that throws is no fault of ours
   bool has_other_files = false;  ///< parts of it are in files that this one names
 
   /// Says what is done next.

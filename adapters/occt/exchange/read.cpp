@@ -120,6 +120,7 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
   } catch (const Failure&) {
     throw;
   } catch (...) {  // Open CASCADE's exceptions are no std::exception
+    if (reading.asking) throw;
     throw BadModel(file.string() + ": " + reading.step + " fails: " + current_failure_text());
   }
   impl.file = file;

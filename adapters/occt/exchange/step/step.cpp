@@ -49,8 +49,8 @@ void transfer_roots(STEPControl_Reader& reader, ReadingReport& report) {
 void take_names(Reading& reading, const StepData_StepModel& model,
                 const Transfer_TransientProcess& made) {
   if (!reading.options.names) return reading.lose_names(kNamesNotRead);
+  reading.begin(kReadingNames);
   try {
-    reading.begin(kReadingNames);
     name_parts(reading.contents.parts, model, made);
   } catch (const Standard_Failure&) {
     reading.lose_names(current_failure_text());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -109,6 +110,28 @@ TEST_P(EveryFormat, ReadsWithoutNamesWhenTheyAreNotWanted) {
   for (const std::string& step : steps) {
     EXPECT_TRUE(step.ends_with(" of " + file().string())) << step;
     EXPECT_EQ(step.find("names"), std::string::npos) << step;
+  }
+}
+
+// Who is told of the steps may end the reading at any of them: that is no fault of the file.
+TEST_P(EveryFormat, EndsWithWhatIsThrownAtAStep) {
+  struct Ended : std::exception {};
+  testing::write_content(file(), sample(GetParam()));
+  int begun = 0;
+  for (int ending = 0; begun >= ending; ++ending) {
+    begun = 0;
+    const auto step = [&](const char*) {
+      if (++begun > ending) throw Ended();
+    };
+    bool ended = false;
+    try {
+      read_model(file(), {.step = step});
+    } catch (const Ended&) {
+      ended = true;
+    } catch (const BadModel& error) {
+      ADD_FAILURE() << error.what();
+    }
+    EXPECT_EQ(ended, begun > ending) << "at step " << ending;
   }
 }
 
