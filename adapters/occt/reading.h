@@ -58,7 +58,8 @@ struct ReadOptions {
   /// be left out: who only looks at shapes and their names has the answer sooner.
   bool looks = true;
 
-  /// Told each step before it begins: "transferring the shapes of part.step".
+  /// Told each step before it begins: "transferring the shapes of part.step". What it throws ends
+  /// the reading.
   std::function<void(const char* step)> step = {};
 };
 
