@@ -6,7 +6,7 @@
 
 #include "core/bounds/value_arithmetic.h"
 #include "core/curves/limits.h"
-#include "core/surfaces/gap/convex_gap.h"
+#include "core/math/functions/convex_gap.h"
 
 namespace blossom {
 namespace {

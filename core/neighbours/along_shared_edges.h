@@ -8,7 +8,7 @@
 
 #include "core/results/options.h"
 #include "core/results/result.h"
-#include "core/topology/clipped_result.h"
+#include "core/topology/clipping/clipped_result.h"
 #include "core/topology/shared.h"
 
 namespace blossom {

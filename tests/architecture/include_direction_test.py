@@ -15,10 +15,10 @@ import sys
 from pathlib import Path
 
 CORE_ROOMS = """base math math/functions math/series forms forms/algebra forms/spans blossom subdivision
-    subdivision/bulk papers bounds results cells surfaces/gap surfaces/pairs surfaces/adjacency
+    subdivision/bulk papers bounds results cells surfaces/gap surfaces/gap/cells surfaces/pairs surfaces/adjacency
     surfaces/contacts surfaces/coincidence surfaces/branches surfaces/search tracing surfaces/assembly
     surfaces/retry curves curves/with_surfaces plane distance rays regions/delaunay regions
-    regions/cleaning topology neighbours tessellation/charts tessellation meshes watertight blending
+    regions/cleaning topology topology/clipping neighbours tessellation/charts tessellation meshes watertight blending
     blending/fills blending/continuity blending/strips blending/balls""".split()
 OCCT_ROOMS = """base convert faces faces/pairs tessellation queries splitting/edges splitting coincidence
     solids/tolerances solids/validity solids repair exact exchange exchange/step documents blending

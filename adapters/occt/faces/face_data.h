@@ -9,7 +9,7 @@
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection.h"
 #include "core/results/result.h"
-#include "core/topology/clipped_result.h"
+#include "core/topology/clipping/clipped_result.h"
 #include "core/topology/face_data.h"
 
 namespace blossom::occt {

@@ -10,7 +10,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "core/topology/curve_clip.h"
+#include "core/topology/clipping/curve_clip.h"
 #include "core/topology/face_trims.h"
 
 namespace blossom::occt {

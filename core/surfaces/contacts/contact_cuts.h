@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "core/surfaces/gap/valley.h"
+#include "core/surfaces/gap/cells/valley.h"
 
 namespace blossom {
 

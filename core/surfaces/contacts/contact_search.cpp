@@ -11,13 +11,13 @@
 #include "core/cells/limits.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_cuts.h"
+#include "core/surfaces/gap/cells/foot_borders.h"
+#include "core/surfaces/gap/cells/odd_contact.h"
+#include "core/surfaces/gap/cells/regular_cell.h"
+#include "core/surfaces/gap/cells/valley.h"
 #include "core/surfaces/gap/chart_ownership.h"
 #include "core/surfaces/gap/contact_points.h"
-#include "core/surfaces/gap/foot_borders.h"
 #include "core/surfaces/gap/gap_model.h"
-#include "core/surfaces/gap/odd_contact.h"
-#include "core/surfaces/gap/regular_cell.h"
-#include "core/surfaces/gap/valley.h"
 #include "core/surfaces/pairs/slow_crossings.h"
 
 namespace blossom {

@@ -10,7 +10,7 @@
 
 #include "core/cells/points.h"
 #include "core/results/result.h"
-#include "core/surfaces/gap/valley.h"
+#include "core/surfaces/gap/cells/valley.h"
 #include "core/surfaces/pairs/border_roots.h"
 
 namespace blossom {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/gap/valley_shape.h"
+#include "core/surfaces/gap/cells/valley_shape.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // Two graphs c + h and c over the plane with h = k l^3 + e l, where l vanishes along a line or a
 // hyperbola.
 
-#include "core/surfaces/gap/odd_contact.h"
+#include "core/surfaces/gap/cells/odd_contact.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/topology/curve_clip.h"
-#include "core/topology/curve_clip_detail.h"
+#include "core/topology/clipping/curve_clip.h"
+#include "core/topology/clipping/curve_clip_detail.h"
 
 namespace blossom {
 namespace {

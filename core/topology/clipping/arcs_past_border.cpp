@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/topology/arcs_past_border.h"
+#include "core/topology/clipping/arcs_past_border.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "core/forms/spline.h"
 #include "core/results/hermite_curves.h"
-#include "core/topology/curve_clip.h"
+#include "core/topology/clipping/curve_clip.h"
 
 namespace blossom {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/base/unbounded.h"
-#include "core/topology/curve_clip.h"
-#include "core/topology/curve_clip_detail.h"
+#include "core/topology/clipping/curve_clip.h"
+#include "core/topology/clipping/curve_clip_detail.h"
 
 namespace blossom {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/topology/clipped_result.h"
+#include "core/topology/clipping/clipped_result.h"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@
 
 #include "core/forms/conic.h"
 #include "core/forms/spline.h"
-#include "core/topology/arcs_past_border.h"
-#include "core/topology/curve_clip.h"
+#include "core/topology/clipping/arcs_past_border.h"
+#include "core/topology/clipping/curve_clip.h"
 
 namespace blossom {
 namespace {

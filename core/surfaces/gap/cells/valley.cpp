@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/gap/valley.h"
+#include "core/surfaces/gap/cells/valley.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/forms/evaluation.h"
 #include "core/math/functions/sign_change.h"
+#include "core/surfaces/gap/cells/valley_labels.h"
 #include "core/surfaces/gap/limits.h"
 #include "core/surfaces/gap/model_points.h"
-#include "core/surfaces/gap/valley_labels.h"
 
 namespace blossom {
 namespace {

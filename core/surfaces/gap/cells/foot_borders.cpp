@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/gap/foot_borders.h"
+#include "core/surfaces/gap/cells/foot_borders.h"
 
 #include <algorithm>
 #include <cmath>

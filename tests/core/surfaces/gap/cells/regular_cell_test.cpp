@@ -2,7 +2,7 @@
 // Surfaces that cross at small angles: a patch and a larger one of the same surface, turned a
 // little.
 
-#include "core/surfaces/gap/regular_cell.h"
+#include "core/surfaces/gap/cells/regular_cell.h"
 
 #include <gtest/gtest.h>
 

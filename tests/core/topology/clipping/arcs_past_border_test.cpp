@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/topology/arcs_past_border.h"
+#include "core/topology/clipping/arcs_past_border.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/results/hermite_curves.h"
-#include "core/topology/clipped_result.h"
+#include "core/topology/clipping/clipped_result.h"
 #include "tests/support/flat_trims.h"
 
 namespace blossom {

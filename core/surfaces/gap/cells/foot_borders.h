@@ -5,8 +5,8 @@
 
 #include <optional>
 
+#include "core/surfaces/gap/cells/regular_cell.h"
 #include "core/surfaces/gap/chart_ownership.h"
-#include "core/surfaces/gap/regular_cell.h"
 
 namespace blossom {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/gap/odd_contact.h"
+#include "core/surfaces/gap/cells/odd_contact.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/unbounded.h"
+#include "core/surfaces/gap/cells/valley_shape.h"
 #include "core/surfaces/gap/limits.h"
 #include "core/surfaces/gap/model_points.h"
-#include "core/surfaces/gap/valley_shape.h"
 
 namespace blossom {
 namespace {

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/topology/curve_clip.h"
+#include "core/topology/clipping/curve_clip.h"
 
 namespace blossom {
 

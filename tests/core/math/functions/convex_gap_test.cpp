@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/gap/convex_gap.h"
+#include "core/math/functions/convex_gap.h"
 
 #include <gtest/gtest.h>
 

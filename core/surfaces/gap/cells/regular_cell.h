@@ -12,7 +12,7 @@
 
 #include <optional>
 
-#include "core/surfaces/gap/valley.h"
+#include "core/surfaces/gap/cells/valley.h"
 
 namespace blossom {
 

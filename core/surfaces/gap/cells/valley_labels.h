@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "core/surfaces/gap/valley_shape.h"
+#include "core/surfaces/gap/cells/valley_shape.h"
 
 namespace blossom {
 

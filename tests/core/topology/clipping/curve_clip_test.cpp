@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/topology/curve_clip.h"
+#include "core/topology/clipping/curve_clip.h"
 
 #include <gtest/gtest.h>
 

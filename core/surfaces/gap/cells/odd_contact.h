@@ -13,7 +13,7 @@
 
 #include <optional>
 
-#include "core/surfaces/gap/valley.h"
+#include "core/surfaces/gap/cells/valley.h"
 
 namespace blossom {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/gap/regular_cell.h"
+#include "core/surfaces/gap/cells/regular_cell.h"
 
 #include <algorithm>
 #include <cmath>
