@@ -6,7 +6,7 @@
 namespace blossom::fuzz {
 namespace {
 
-constexpr int kMaxSpans = 3, kMaxDegree = 5;
+constexpr int kMaxDrawnSpans = 3, kMaxDrawnDegree = 5;
 
 /// How coordinates and weights are made.
 struct Scale {
@@ -109,8 +109,8 @@ Form beside(Form form, Choices& choices) {
 
 BezierSurface surface_of(Choices& choices) {
   const Scale scale = scale_of(choices);
-  const int rows = choices.within(1, kMaxSpans), columns = choices.within(1, kMaxSpans);
-  const int n = choices.within(1, kMaxDegree), m = choices.within(1, kMaxDegree);
+  const int rows = choices.within(1, kMaxDrawnSpans), columns = choices.within(1, kMaxDrawnSpans);
+  const int n = choices.within(1, kMaxDrawnDegree), m = choices.within(1, kMaxDrawnDegree);
   BezierSurface surface;
   surface.u_knots = knots_of(rows, choices);
   surface.v_knots = knots_of(columns, choices);
@@ -130,7 +130,7 @@ BezierSurface surface_of(Choices& choices) {
 
 CurveSpans curve_of(Choices& choices) {
   const Scale scale = scale_of(choices);
-  const int spans = choices.within(1, kMaxSpans), n = choices.within(1, kMaxDegree);
+  const int spans = choices.within(1, kMaxDrawnSpans), n = choices.within(1, kMaxDrawnDegree);
   const std::vector<double> knots = knots_of(spans, choices);
   CurveSpans curve;
   curve.rational = scale.rational;
