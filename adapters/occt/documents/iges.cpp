@@ -12,11 +12,13 @@
 #include <string_view>
 #include <utility>
 
+#include <IGESBasic_Name.hxx>
 #include <IGESBasic_SubfigureDef.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_HArray1OfIGESEntity.hxx>
+#include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <IGESGeom_BoundedSurface.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
@@ -34,6 +36,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/documents/files.h"
 #include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/exchange/file_text.h"
 
 namespace blossom::occt {
 namespace {
@@ -151,6 +154,22 @@ void name_subfigures(const IGESData_IGESModel& model) {
   }
 }
 
+Handle(TCollection_HAsciiString) utf8_name(const TCollection_HAsciiString& name) {
+  return new TCollection_HAsciiString(as_utf8(name.ToCString()).c_str());
+}
+
+/// Open CASCADE takes all names as UTF-8: those of other letters would lose some.
+void mend_names(const IGESData_IGESModel& model) {
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const Handle(IGESData_IGESEntity) entity = model.Entity(i);
+    if (const auto name = Handle(IGESBasic_Name)::DownCast(entity);
+        !name.IsNull() && !name->Value().IsNull())
+      name->Init(name->NbPropertyValues(), utf8_name(*name->Value()));
+    if (entity->HasShortLabel())
+      entity->SetLabel(utf8_name(*entity->ShortLabel()), entity->SubScriptNumber());
+  }
+}
+
 bool is_face(const Handle(Standard_Transient) & entity) {
   return entity->IsKind(STANDARD_TYPE(IGESGeom_TrimmedSurface)) ||
          entity->IsKind(STANDARD_TYPE(IGESGeom_BoundedSurface)) ||
@@ -235,6 +254,7 @@ void read_iges(Reading& reading) {
   list_loading_faults(*model, reading.report);
   list_unknown_unit(model->GlobalSection(), reading.report);
   name_subfigures(*model);
+  mend_names(*model);
 
   reading.begin("transferring the shapes");
   transfer_roots(reader, reading.report);

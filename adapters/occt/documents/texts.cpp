@@ -19,7 +19,10 @@
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <TCollection_ExtendedString.hxx>
+#include <TDF_ChildIterator.hxx>
 #include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
 #include <XCAFDoc_DimTolTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 
@@ -46,6 +49,15 @@ const char* schema_for(const Document& document) {
   tolerances->GetDatumLabels(datums);
   const bool none = dimensions.IsEmpty() && deviations.IsEmpty() && datums.IsEmpty();
   return none ? "AP214IS" : "AP242DIS";
+}
+
+/// Open CASCADE writes letters as single bytes, and none beyond Latin-1: those of UTF-8 are given to
+/// it as such bytes.
+void split_letters(const Document& document) {
+  Handle(TDataStd_Name) name;
+  for (TDF_ChildIterator label(document.main(), true); label.More(); label.Next())
+    if (label.Value().FindAttribute(TDataStd_Name::GetID(), name))
+      name->Set(TCollection_ExtendedString(name_of(label.Value()).c_str(), false));
 }
 
 }  // namespace
@@ -81,6 +93,7 @@ std::string step_text(const Document& document, const std::string& unit) {
 std::string iges_text(const Document& document, const std::string& unit) {
   const Document parts;
   add_instances(document, parts);
+  split_letters(parts);
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.iges.unit", unit.c_str());

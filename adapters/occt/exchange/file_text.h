@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -53,6 +55,16 @@ Unpacked unpacked(std::string bytes);
 /// Makes UTF-8 of UTF-16 and UTF-32, which are told by a byte-order mark or their first letters;
 /// halves of letters become U+FFFD. Other bytes stay as they are.
 void narrow_letters(std::string& bytes);
+
+/// A letter's code in UTF-8 at the front of a text, beyond ASCII, and its length; 0 if it is none.
+struct Utf8Letter {
+  std::uint32_t code = 0;
+  std::size_t length = 0;
+};
+Utf8Letter utf8_letter(std::string_view text);
+
+/// A text of UTF-8 as it is, and any other as Latin-1.
+std::string as_utf8(std::string_view letters);
 
 /// White space by C's locale, or the 0 that files are padded with.
 bool is_blank(char c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Text of two or four bytes a letter, as some programs of Windows write it.
+// Text of two or four bytes a letter, as some programs of Windows write it, and of one.
 //
 // Source: The Unicode Standard, 3.9 and 3.10, on UTF-16 and UTF-32, their byte orders and marks.
 
@@ -75,6 +75,40 @@ void append_utf8(std::uint32_t code, std::string& text) {
 }
 
 }  // namespace
+
+Utf8Letter utf8_letter(std::string_view text) {
+  const auto byte = [&](std::size_t i) -> std::uint32_t {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const std::uint32_t first = byte(0);
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC2 ? 2 : 0;
+  if (length == 0 || first > 0xF4) return {};
+  std::uint32_t code = first & (0x7FU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return {};
+    code = code << 6U | (byte(i) & 0x3FU);
+  }
+  constexpr std::uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_half = 0xD800 <= code && code <= 0xDFFF;
+  return code < kSmallest[length] || code > 0x10FFFF || is_half ? Utf8Letter{}
+                                                                : Utf8Letter{code, length};
+}
+
+std::string as_utf8(std::string_view letters) {
+  std::string text;
+  for (std::string_view rest = letters; !rest.empty();) {
+    const bool ascii = static_cast<unsigned char>(rest.front()) < 0x80;
+    const std::size_t length = ascii ? 1 : utf8_letter(rest).length;
+    if (length == 0) {
+      text.clear();
+      for (const char c : letters) append_utf8(static_cast<unsigned char>(c), text);
+      return text;
+    }
+    text += rest.substr(0, length);
+    rest.remove_prefix(length);
+  }
+  return text;
+}
 
 void narrow_letters(std::string& bytes) {
   const Width width = width_of(bytes);

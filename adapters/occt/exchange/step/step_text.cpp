@@ -71,29 +71,6 @@ void append_hex(std::uint32_t number, int digits, std::string& text) {
     text += "0123456789ABCDEF"[number >> shift & 0xFU];
 }
 
-/// A letter's code in UTF-8 at the front of a text, and its length; 0 if it is none.
-struct Utf8Letter {
-  std::uint32_t code = 0;
-  std::size_t length = 0;
-};
-Utf8Letter utf8_letter(std::string_view text) {
-  const auto byte = [&](std::size_t i) -> std::uint32_t {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const std::uint32_t first = byte(0);
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC2 ? 2 : 0;
-  if (length == 0 || first > 0xF4) return {};
-  std::uint32_t code = first & (0x7FU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return {};
-    code = code << 6U | (byte(i) & 0x3FU);
-  }
-  constexpr std::uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool is_half = 0xD800 <= code && code <= 0xDFFF;
-  return code < kSmallest[length] || code > 0x10FFFF || is_half ? Utf8Letter{}
-                                                                : Utf8Letter{code, length};
-}
-
 /// UTF-16 in hexadecimal, as "\X2\" has it; empty if the letters are no UTF-8.
 std::string utf16_digits(std::string_view letters) {
   std::string digits;

@@ -199,6 +199,26 @@ TEST(OtherFormats, KeepInchesInIges) {
   EXPECT_EQ(story(folder / "out.step").substr(0, 7), "in INCH");
 }
 
+/// The file has them as UTF-8; other programs write Latin-1.
+TEST(OtherFormats, KeepNamesOfAllLettersInIges) {
+  const Folder folder;
+  Model model;
+  for (const char* name : {"Zahnrad \u00D840", "\u6b6f\u8eca", "plain"})
+    model.add(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), name);
+  write_model(model, folder / "out.igs");
+  const Model back = read_model(folder / "out.igs");
+  EXPECT_EQ(back.part_paths().at(0), "Zahnrad \u00D840");
+  EXPECT_EQ(back.part_paths().at(6), "\u6b6f\u8eca");
+  EXPECT_EQ(back.part_paths().at(12), "plain");
+
+  std::string text = testing::content(folder / "out.igs");
+  const std::size_t place = text.find("12HZahnrad \u00D840;");
+  ASSERT_NE(place, std::string::npos);
+  text.replace(place, 16, "11HZahnrad \xD8" "40; ");
+  testing::write_content(folder / "latin.igs", text);
+  EXPECT_EQ(read_model(folder / "latin.igs").part_paths().at(0), "Zahnrad \u00D840");
+}
+
 TEST(OtherFormats, KeepControlPointsToSixteenDigits) {
   const Folder folder;
   testing::Random random(1);
