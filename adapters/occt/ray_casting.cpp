@@ -184,9 +184,10 @@ bool ShapeRayQuery::accept(const Ray& ray, RayHit& hit) {
   const double off = std::max(hit.beyond, inside ? 0 : edge.distance);
   if (off > std::max(edge.tolerance, rays_.tolerance)) return false;
   if (off > rays_.tolerance) hit.status = weaker(hit.status, Status::Tolerance);
-  hit.border = edge.distance <= rays_.tolerance || off > 0;
-  if ((hit.border || edge.distance <= edge.tolerance) && !edge.shape.IsNull())
+  const bool at_edge = edge.distance <= rays_.tolerance || off > 0;
+  if ((at_edge || edge.distance <= edge.tolerance) && !edge.shape.IsNull())
     hit.mark = rays_.named.FindIndex(edge.shape);
+  hit.border = at_edge || (hit.border && hit.mark == 0);  // or where patches of the face meet
   return true;
 }
 

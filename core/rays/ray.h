@@ -30,7 +30,7 @@ struct RayHit {
   int surface = 0;
   Vec2 uv;               ///< the surface's own parameters
   Vec3 point;            ///< on the surface, model units
-  double beyond = 0;     ///< how far outside of the surface\'s border the line passes, model units
+  double beyond = 0;     ///< how far outside of the surface's border the line passes, model units
   Vec3 normal;           ///< of the surface, unit, along S_u x S_v; zero at a singular point
   bool grazing = false;  ///< the ray is tangent to the surface, or nearly so
   bool border = false;   ///< on the border of a patch, within tolerance
@@ -40,6 +40,10 @@ struct RayHit {
   /// rounding, or the stretch is shorter than the tolerance. Stopped: the budget was spent before
   /// it was known whether there is a hit within the stretch.
   Status status = Status::Complete;
+
+  /// Complete, but of a surface that stands for another one within its error: the status is
+  /// Tolerance for that alone.
+  bool approximate = false;
 
   /// The filter's own note about the hit; of joined hits the largest one is kept.
   int mark = 0;

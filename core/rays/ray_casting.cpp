@@ -54,12 +54,15 @@ bool is_same(const RayHit& a, const RayHit& b, double tolerance) {
   return a.border && b.border;
 }
 
+bool is_certain(const RayHit& hit) { return hit.status == Status::Complete || hit.approximate; }
+
 // A stretch is known by a proven root at its beginning, if there is one.
 // near   parameters that differ by no more are one place
 void join(RayHit& into, const RayHit& hit, double near) {
   const double first = std::min(into.first, hit.first), last = std::max(into.last, hit.last);
   const bool grazing = into.grazing || hit.grazing, border = into.border || hit.border;
   const Status status = weaker(into.status, hit.status);
+  const bool approximate = status != Status::Complete && is_certain(into) && is_certain(hit);
   const int mark = std::max(into.mark, hit.mark);
   if (into.status != Status::Complete && hit.status == Status::Complete &&
       hit.parameter <= into.parameter + near)
@@ -69,6 +72,7 @@ void join(RayHit& into, const RayHit& hit, double near) {
   into.grazing = grazing;
   into.border = border;
   into.status = status;
+  into.approximate = approximate;
   into.mark = mark;
 }
 
@@ -134,6 +138,7 @@ void RayQuery::keep(std::size_t from, const Ray& ray, const HitFilter& accept) {
     RayHit& hit = hits_[i];
     if (hit.last < ray.from - slack || hit.first > ray.to + slack) continue;
     const BezierSurface& surface = caster_.cells_.surfaces()[static_cast<std::size_t>(hit.surface)];
+    hit.approximate = surface.error > 0 && hit.status == Status::Complete;
     if (surface.error > 0) hit.status = weaker(hit.status, Status::Tolerance);
     if (accept && !accept(hit)) continue;
     hits_[from++] = hit;

@@ -12,11 +12,13 @@ namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-// A hit beside an edge of two faces may be one of each of them, so no edge is to be near.
+// A hit beside an edge of two faces may be one of each of them, so no edge is to be near. Away from
+// edges a surface and one that stands for it are met as often as each other, but for pairs of hits.
 std::optional<std::vector<ElementaryFace::Hit>> certain(const std::vector<ShapeHit>& all) {
   std::vector<ElementaryFace::Hit> hits;
   for (const auto& [hit, on] : all) {
-    if (hit.status != Status::Complete || hit.grazing || hit.mark != 0 || !on.IsNull() ||
+    const bool is_proven = hit.status == Status::Complete || hit.approximate;
+    if (!is_proven || hit.grazing || hit.mark != 0 || !on.IsNull() ||
         hit.first != hit.last)
       return {};
     hits.push_back({hit.parameter, hit.normal});

@@ -17,6 +17,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
@@ -106,6 +107,31 @@ TEST(ShapeRays, ClipsAStretchInAFaceToItsTrims) {
   EXPECT_NEAR(hits[1].hit.first, 4, 1e-6);
   EXPECT_NEAR(hits[1].hit.last, 5, 1e-6);
   EXPECT_EQ(hits[0].hit.status, Status::Tolerance);
+}
+
+// Two spans of degree 2 that meet at x = 1, bent there.
+TopoDS_Face two_spans() {
+  TColgp_Array2OfPnt poles(1, 5, 1, 2);
+  const std::array<double, 5> heights{0, 0.5, 0, 0.5, 0};
+  for (int i = 1; i <= 5; ++i)
+    for (int j = 1; j <= 2; ++j)
+      poles(i, j) = {0.5 * (i - 1), j - 1.0, heights.at(static_cast<std::size_t>(i - 1))};
+  TColStd_Array1OfReal u(1, 3), v(1, 2);
+  TColStd_Array1OfInteger mu(1, 3), mv(1, 2);
+  for (int i = 1; i <= 3; ++i) u(i) = i, mu(i) = i == 2 ? 2 : 3;
+  for (int i = 1; i <= 2; ++i) v(i) = i, mv(i) = 2;
+  return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(poles, u, v, mu, mv, 2, 1), 1e-7).Face();
+}
+
+TEST(ShapeRays, HitsTheJointOfPatchesOnce) {
+  const ShapeRays rays(two_spans());
+  for (const double y : {0.25, 0.5, 0.7}) {
+    const std::vector<ShapeHit> hits = rays.all_hits(Ray{{1, y, 3}, {0.1, 0, -3}});
+    ASSERT_EQ(hits.size(), 1u) << y;
+    EXPECT_EQ(hits[0].hit.status, Status::Complete);
+    EXPECT_TRUE(hits[0].on.IsNull());
+    EXPECT_EQ(rays.all_hits(down(1, y)).size(), 1u) << y;
+  }
 }
 
 TEST(ShapeRays, ClosesTheGapsThatToleranceOfEdgesCovers) {

@@ -6,8 +6,11 @@
 
 #include <optional>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
@@ -31,6 +34,19 @@ TEST(SolidRays, SayNothingAtEdgesAndWhereTheyAreTangent) {
   EXPECT_EQ(box.is_inside({-1, 0.5, 1}, {1, 0, 0}), std::nullopt);
   SolidRays ball(faces_of(BRepPrimAPI_MakeSphere(1).Shape()), 1e-7);
   EXPECT_EQ(ball.is_inside({-3, 1, 0.3}, {1, 0, -0.1}), std::nullopt);  // touches in (0, 1, 0)
+}
+
+// An offset of a spline has no exact form: one within the tolerance stands for it.
+TEST(SolidRays, PassThroughSurfacesThatAreApproximated) {
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  for (int i = 1; i <= 3; ++i)
+    for (int j = 1; j <= 3; ++j) poles(i, j) = {i - 2.0, j - 2.0, i == 2 && j == 2 ? 1.0 : 0.0};
+  const Handle(Geom_Surface) wave = new Geom_BezierSurface(poles);
+  SolidRays rays(
+      {BRepBuilderAPI_MakeFace(new Geom_OffsetSurface(wave, 0.25), 1e-7).Face()}, 1e-7);
+  EXPECT_EQ(rays.is_inside({0.2, 0.1, 0}, {0.1, 0.2, 1}), true);
+  EXPECT_EQ(rays.is_inside({0.2, 0.1, 0}, {0.1, 0.2, -1}), false);
+  EXPECT_EQ(rays.is_inside({-3, 0, 0.5}, {1, 0, 0}), std::nullopt);  // touches the top
 }
 
 TEST(SolidRays, SayNothingOfPointsOnFaces) {
