@@ -159,8 +159,16 @@ void tell(const occt::Repairs& repairs, const std::filesystem::path& file) {
 
 }  // namespace
 
+std::size_t selection_mark(const std::string& text) {
+  const std::size_t last = text.rfind('#');
+  for (std::size_t mark = last; mark != std::string::npos && mark > 0;
+       mark = text.rfind('#', mark - 1))
+    if (exists(text.substr(0, mark))) return mark;
+  return last;
+}
+
 InputName parse_input(const std::string& text) {
-  const std::size_t mark = text.rfind('#');
+  const std::size_t mark = selection_mark(text);
   if (mark == std::string::npos || exists(text)) return {text, {}, {}};
 
   InputName name{text.substr(0, mark), {}, {}, text.substr(mark + 1)};

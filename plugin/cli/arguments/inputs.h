@@ -26,9 +26,13 @@ struct InputName {
   bool is_whole() const { return faces.empty() && words.empty(); }
 };
 
+/// The place of the '#' that ends the file's name: the last one before which there is such a file,
+/// as names of parts and of files may have that letter themselves; else the last one of all.
+std::size_t selection_mark(const std::string& text);
+
 /// Takes `FILE`, `FILE#3,5-9`, `FILE#Shaft` or `FILE#Shaft/Face3,solid:2` apart. A file that is
 /// really called so wins. Names with commas are in pieces, see `words_in`.
-/// throws   UsageError if an entry after the last '#' is empty, or a bad number and none of a name
+/// throws   UsageError if an entry after the '#' is empty, or a bad number and none of a name
 InputName parse_input(const std::string& text);
 
 /// Opening such a file might wait for ever.

@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "plugin/cli/arguments/inputs.h"
+
 namespace blossom::cli {
 namespace {
 
@@ -21,7 +23,7 @@ const Vec3& palette(std::size_t index) {
 }
 
 std::string short_name(const std::string& input) {
-  const std::size_t end = std::min(input.rfind('#'), input.size());  // what follows may have "/"
+  const std::size_t end = std::min(selection_mark(input), input.size());  // "/" may follow
   const std::size_t slash = input.rfind('/', end);
   return slash == std::string::npos ? input : input.substr(slash + 1);
 }

@@ -55,11 +55,13 @@ def _core_model(shape: Any, name: str) -> _core.Model:
 def core_of_file(path: str, name: str, strict: bool, control: _core.Control) -> _core.Model:
     """The model of a file, or of what is named in it: "part.step#3,5-9", "part.step#Shaft"; a file
     that is called so wins."""
-    file, mark, words = path.rpartition("#")
-    if not mark or os.path.exists(path) or not os.path.exists(file):
+    file = path
+    while "#" in file and not os.path.exists(file):  # names of parts may have the letter, too
+        file = file.rpartition("#")[0]
+    if file == path or not os.path.exists(file):
         return _told_core(path, name, strict, control)
     model = _told_core(file, name, strict, control)
-    return model.part(faces_named(model, words, name), path)
+    return model.part(faces_named(model, path[len(file) + 1 :], name), path)
 
 
 def _told_core(path: str, name: str, strict: bool, control: _core.Control) -> _core.Model:

@@ -36,6 +36,14 @@ TEST(InputName, SplitsAtTheLastMark) {
   EXPECT_EQ(parse_input("part#2.step#1").file, "part#2.step");
 }
 
+TEST(InputName, EndsAtTheMarkBehindAFileThatIsThere) {
+  const testing::TestFolder folder;
+  testing::write({testing::bowl()}, folder / "odd#1.brep");
+  const InputName name = parse_input((folder / "odd#1.brep#Bolts, M8/Nut#8").string());
+  EXPECT_EQ(name.file, folder / "odd#1.brep");
+  EXPECT_EQ(name.list, "Bolts, M8/Nut#8");
+}
+
 TEST(InputName, OfAFileThatIsCalledSoIsThatFile) {
   const testing::TestFolder folder;
   testing::write({testing::bowl()}, folder / "plain.brep");
