@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
@@ -39,11 +40,14 @@ Answer fill(const SharedModel& model, const FillWish& wish, const Control& contr
     const LoadedModel::Turn turn = model->turn(watch);
     model->faces(watch);
     const reports::Input& input = model->repaired_input(watch);
-    const reports::FillAnswer made = reports::fill_holes(input, wishes, [&watch] { watch.stop(); });
+    const auto step = [&watch] { watch.stop(); };
+    const reports::FillAnswer made = reports::fill_holes(input, wishes, step);
+    const double tolerance = control.engine.tolerances.point;
+    occt::Model filled = wish.sew ? reports::filled_model(input, made, tolerance, step)
+                                  : reports::fills_alone(made, tolerance);
     return made_answer(
         with_reading(reports::fill_report(input, made), {model}),
-        std::make_shared<LoadedModel>(
-            "fill", reports::filled_shape(input, made, control.engine.tolerances.point, wish.sew)));
+        std::make_shared<LoadedModel>("fill", std::move(filled), reports::Repairing::None));
   });
 }
 

@@ -14,6 +14,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/intersection_edges.h"
 #include "core/blending/fills/fill_layout.h"
 
 namespace blossom::occt {
@@ -98,17 +99,27 @@ FilledHole filled_hole(const HoleLoop& loop, const std::vector<FillContinuity>& 
   return result;
 }
 
-TopoDS_Shape sewn_holes(const std::vector<FilledHole>& holes, const TopoDS_Shape& model,
-                        double tolerance) {
+SewnHoles sewn_holes(const std::vector<FilledHole>& holes, const TopoDS_Shape& model,
+                     double tolerance) {
   return guarded("sewing the fill", [&] {
     BRepBuilderAPI_Sewing sewing(tolerance);
     if (!model.IsNull()) sewing.Add(model);
     for (const FilledHole& hole : holes)
       for (const TopoDS_Face& face : hole.faces) sewing.Add(face);
     sewing.Perform();
-    const TopoDS_Shape result = sewing.SewedShape();
-    if (result.IsNull() || !BRepCheck_Analyzer(result).IsValid())
+    SewnHoles result{.shape = sewing.SewedShape(), .faces = {}, .patches = {}};
+    if (result.shape.IsNull() || !BRepCheck_Analyzer(result.shape).IsValid())
       throw Failure("the fill cannot be sewn: the result is not valid");
+    // Sewing turns faces of a shell alike, whichever way those round it are turned.
+    const auto sewn = [&](const TopoDS_Face& face) {
+      return TopoDS::Face(sewing.ModifiedSubShape(face).Oriented(face.Orientation()));
+    };
+    if (!model.IsNull())
+      for (const TopoDS_Face& face : faces_of(model)) result.faces.push_back(sewn(face));
+    for (const FilledHole& hole : holes) {
+      std::vector<TopoDS_Face>& patches = result.patches.emplace_back();
+      for (const TopoDS_Face& face : hole.faces) patches.push_back(sewn(face));
+    }
     return result;
   });
 }

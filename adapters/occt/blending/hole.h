@@ -40,9 +40,16 @@ struct FilledHole {
 FilledHole filled_hole(const HoleLoop& loop, const std::vector<FillContinuity>& continuity,
                        const HoleOptions& options = {});
 
+struct SewnHoles {
+  TopoDS_Shape shape;              ///< shells and faces
+  std::vector<TopoDS_Face> faces;  ///< the model's, in their order in TopExp::MapShapes, oriented
+                                   ///< as they are there
+  std::vector<std::vector<TopoDS_Face>> patches;  ///< of each hole, beside their neighbours'
+};
+
 /// The faces joined to shells along common edges, and to those of `model` if it is not null.
 /// throws   Failure if what comes out is not valid
-TopoDS_Shape sewn_holes(const std::vector<FilledHole>& holes, const TopoDS_Shape& model,
-                        double tolerance);
+SewnHoles sewn_holes(const std::vector<FilledHole>& holes, const TopoDS_Shape& model,
+                     double tolerance);
 
 }  // namespace blossom::occt

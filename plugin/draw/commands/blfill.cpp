@@ -40,7 +40,7 @@ std::string answer_to_blfill(const Words& words) {
     if (fill.problem != FillProblem::None) throw occt::Failure(fill.message);
     list += " {" + std::to_string(fill.patches.size()) + " " + to_string(fill.reached) + "}";
   }
-  DBRep::Set(words[0].c_str(), occt::sewn_holes(holes, shape, Tolerances{}.point));
+  DBRep::Set(words[0].c_str(), occt::sewn_holes(holes, shape, Tolerances{}.point).shape);
   return std::to_string(holes.size()) + list;
 }
 

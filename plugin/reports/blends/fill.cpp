@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <utility>
 
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
 #include "plugin/reports/models/repairs.h"
 
@@ -35,6 +40,13 @@ Hole filled(const FillWishes& wishes, occt::HoleLoop loop) {
     hole.message = error.what();
   }
   return hole;
+}
+
+occt::SewnHoles sewn(const FillAnswer& answer, const TopoDS_Shape& model, double tolerance) {
+  std::vector<occt::FilledHole> filled;
+  for (const Hole& hole : answer.all)
+    if (hole.reason.empty()) filled.push_back(hole.filled);
+  return occt::sewn_holes(filled, model, std::max(tolerance, Tolerances{}.point));
 }
 
 Json contact_json(const FillContact& contact) {
@@ -101,13 +113,40 @@ FillAnswer fill_holes(const Input& input, const FillWishes& wishes,
   return holes;
 }
 
-TopoDS_Shape filled_shape(const Input& input, const FillAnswer& answer, double tolerance,
-                          bool with_model) {
-  std::vector<occt::FilledHole> filled;
-  for (const Hole& hole : answer.all)
-    if (hole.reason.empty()) filled.push_back(hole.filled);
-  return occt::sewn_holes(filled, with_model ? input.model.shape() : TopoDS_Shape(),
-                          std::max(tolerance, Tolerances{}.point));
+occt::Model fills_alone(const FillAnswer& answer, double tolerance) {
+  occt::Model alone;
+  alone.add(sewn(answer, {}, tolerance).shape, "fill");
+  return alone;
+}
+
+occt::Model filled_model(const Input& input, const FillAnswer& answer, double tolerance,
+                         const std::function<void()>& step) {
+  const occt::SewnHoles joined = sewn(answer, input.model.shape(), tolerance);
+  step();
+  std::map<int, std::vector<TopoDS_Face>> pieces;
+  for (std::size_t i = 0; i < joined.faces.size(); ++i)
+    if (!joined.faces[i].IsSame(input.model.face(static_cast<int>(i) + 1)))
+      pieces[static_cast<int>(i) + 1] = {joined.faces[i]};
+  occt::Model model = input.model.copy();
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(input.model.shape(), TopAbs_FACE, faces);
+  auto patches = joined.patches.begin();
+  for (const Hole& hole : answer.all) {
+    if (!hole.reason.empty()) continue;
+    const auto beside = std::ranges::find_if(
+        hole.loop, [](const occt::HoleEdge& edge) { return !edge.face.IsNull(); });
+    if (beside == hole.loop.end()) {
+      model.add(occt::compound_of(*patches), "fill");
+    } else {
+      std::vector<TopoDS_Face>& all = pieces[faces.FindIndex(beside->face)];
+      if (all.empty()) all.push_back(beside->face);
+      all.insert(all.end(), patches->begin(), patches->end());
+    }
+    ++patches;
+  }
+  model.replace_faces(pieces);
+  model.sew({}, step);
+  return model;
 }
 
 bool is_as_asked(const FillAnswer& answer) {

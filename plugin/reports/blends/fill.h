@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <TopoDS_Shape.hxx>
-
 #include "adapters/occt/blending/hole.h"
+#include "adapters/occt/shapes.h"
 #include "plugin/reports/models/input.h"
 #include "plugin/reports/text/json.h"
 
@@ -42,14 +41,20 @@ struct FillAnswer {
 };
 
 /// Fills what is meant: edges that were named have to be filled all; of all open ones those that
-/// can be. step     asked for every hole; ends the work by an exception throws   occt::BadModel if
-/// nothing can be filled, or not all that was named
+/// can be.
+/// step     asked for every hole; ends the work by an exception
+/// throws   occt::BadModel if nothing can be filled, or not all that was named
 FillAnswer fill_holes(const Input& input, const FillWishes& wishes,
                       const std::function<void()>& step);
 
-/// The filled holes as faces, joined to the model if that is wanted.
-TopoDS_Shape filled_shape(const Input& input, const FillAnswer& answer, double tolerance,
-                          bool with_model);
+/// The filled holes as faces, alone in a part.
+occt::Model fills_alone(const FillAnswer& answer, double tolerance);
+
+/// The model with its names, looks and assembly, in which each patch is beside a neighbour, looks
+/// like it and belongs to its part; what closes is a solid.
+/// step     as of fill_holes
+occt::Model filled_model(const Input& input, const FillAnswer& answer, double tolerance,
+                         const std::function<void()>& step);
 
 /// Whether all holes are filled as smoothly as was asked.
 bool is_as_asked(const FillAnswer& answer);

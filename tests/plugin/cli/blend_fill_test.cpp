@@ -4,12 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/blending/hole.h"
+#include "adapters/occt/face_colours.h"
 #include "adapters/occt/shapes.h"
 #include "tests/plugin/cli/program.h"
 #include "tests/support/face_holes.h"
+#include "tests/support/measures.h"
 
 namespace blossom::testing {
 namespace {
@@ -56,6 +61,31 @@ TEST_F(BlendFill, JoinsTheFillToTheModel) {
   const occt::Model model = occt::read_model(path("out.step"));
   EXPECT_EQ(model.face_count(), 5);
   EXPECT_EQ(occt::open_edges(model.shape()).size(), 4u);
+}
+
+TEST_F(BlendFill, ClosesASolidThatKeepsItsNamesLooksAndAssembly) {
+  occt::Model open;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4, 3, 2).Shape();
+  open.add(box, "Tray", {1, 0, 0});
+  open.add(BRepPrimAPI_MakeBox(gp_Pnt(9, 0, 0), 1, 1, 1).Shape(), "Pin", {0, 0, 1});
+  open.replace_faces({{6, {}}});  // the top
+  write_model(open, folder / "tray.step");
+  const Finished ran = blossom({"blend", "fill", path("tray.step"), "--continuity", "G0", "--sew",
+                                "-o", path("closed.step")});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const occt::Model model = occt::read_model(path("closed.step"));
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(model.shape(), TopAbs_SOLID, solids);
+  EXPECT_EQ(solids.Extent(), 2);
+  EXPECT_NEAR(volume(model.shape()), 4 * 3 * 2 + 1, 1e-9);
+  const std::vector<std::string> parts = model.part_paths();
+  const std::vector<std::optional<occt::FaceColour>> colours = occt::face_colours(model);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool is_pin = i + 6 >= parts.size();
+    EXPECT_EQ(parts[i], is_pin ? "Pin" : "Tray") << i;
+    ASSERT_TRUE(colours[i].has_value()) << i;
+    EXPECT_EQ(colours[i]->at(0) > 0.5, !is_pin) << i;
+  }
 }
 
 TEST_F(BlendFill, WithoutEdgesFillsWhatItCanAndNamesTheRest) {

@@ -164,6 +164,7 @@ class Fills(unittest.TestCase):
         closed = blossom.shape(made)
         self.assertEqual(closed.face_count, 5 + made[0]["patches"])
         self.assertEqual(closed.check().to_dict()["summary"]["free_edges"], 0)
+        self.assertEqual(closed.counts["solids"], 1)
         alone = blossom.fill(open_box(), continuity="G0")
         self.assertEqual(blossom.shape(alone).face_count, made[0]["patches"])
 

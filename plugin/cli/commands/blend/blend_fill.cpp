@@ -127,10 +127,10 @@ Picture picture_of(const Input& input, const reports::FillAnswer& holes) {
 void write_outputs(const Input& input, const FillCommand& command,
                    const reports::FillAnswer& holes) {
   if (!command.common.output.empty()) {
-    occt::Model model;
-    model.add(reports::filled_shape(input, holes, command.tolerance, command.sew),
-              command.sew ? "filled" : "fill");
-    write_model(model, command.common.output);
+    const double tolerance = command.tolerance;
+    write_model(command.sew ? reports::filled_model(input, holes, tolerance, stop_if_interrupted)
+                            : reports::fills_alone(holes, tolerance),
+                command.common.output);
   }
   write_pictures(picture_files(command.common, [&] { return picture_of(input, holes); }));
   if (!command.common.json.empty())

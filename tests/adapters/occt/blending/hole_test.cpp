@@ -110,7 +110,7 @@ TEST(Hole, IsTheSameInAFaceThatIsReversedOrMoved) {
 TEST(Hole, IsSewnToItsNeighboursAsAValidShape) {
   const TopoDS_Face face = squarely_holed();
   const FilledHole hole = filled(face, kHole, FillContinuity::G1);
-  const TopoDS_Shape joined = sewn_holes({hole}, face, 1e-7);
+  const TopoDS_Shape joined = sewn_holes({hole}, face, 1e-7).shape;
   EXPECT_TRUE(BRepCheck_Analyzer(joined).IsValid());
   EXPECT_EQ(open_edges(joined).size(), 4u);
   EXPECT_NEAR(area_of(joined), area_of(testing::graph_face({})), 1e-9);
@@ -120,7 +120,7 @@ TEST(Hole, OfAnOpenBoxIsClosedByItsLid) {
   const TopoDS_Shape box = open_box();
   const FilledHole hole = filled(box, open_edges(box), FillContinuity::G0);
   ASSERT_EQ(hole.fill.problem, FillProblem::None) << hole.fill.message;
-  const TopoDS_Shape joined = sewn_holes({hole}, box, 1e-7);
+  const TopoDS_Shape joined = sewn_holes({hole}, box, 1e-7).shape;
   EXPECT_TRUE(open_edges(joined).empty());
   EXPECT_NEAR(area_of(joined), 6, 1e-12);
   GProp_GProps properties;
