@@ -12,7 +12,6 @@
 #include <pybind11/pybind11.h>
 #include <TopoDS_Shape.hxx>
 
-#include "adapters/occt/fillet.h"
 #include "adapters/occt/plane_section.h"
 #include "core/base/status.h"
 #include "core/blending/continuity/continuity.h"
@@ -22,6 +21,7 @@
 #include "plugin/nets/whole_parts.h"
 #include "plugin/python/control.h"
 #include "plugin/python/loaded_model.h"
+#include "plugin/reports/blends/fillet.h"
 #include "plugin/reports/blends/strip.h"
 #include "plugin/reports/queries/section.h"
 #include "plugin/reports/text/json.h"
@@ -77,16 +77,9 @@ Answer watertight(const SharedModel& model, const Control& control);
 Answer strip_between(const SharedModel& a, const SharedModel& b, const reports::StripWishes& wishes,
                      const Control& control);
 
-/// Which edges are meant, all that any member says.
-struct EdgeWish {
-  std::vector<int> edges{};                      ///< numbers as in `edge_facts`
-  std::string kind{};                            ///< "all", "convex", "concave", or empty
-  std::optional<std::pair<int, int>> between{};  ///< the edges that two faces have in common
-};
-
 /// of   fillets or chamfers
-Answer blend_edges(const SharedModel& part, const EdgeWish& edges, const occt::FilletOptions& of,
-                   const Control& control);
+Answer blend_edges(const SharedModel& part, const reports::EdgeWish& edges,
+                   const occt::FilletOptions& of, const Control& control);
 
 /// b      null: pairs of parts of `a`
 /// far    list pairs of which only the boxes were looked at, too

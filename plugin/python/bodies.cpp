@@ -97,10 +97,19 @@ Answer trim(const SharedModel& part, const std::vector<SharedModel>& tools,
 
 namespace {
 
-occt::TrimTool whole_of(const reports::Input& input) {
-  occt::TrimTool whole = occt::trim_tool(input.model.shape());
-  whole.name = input.name;
-  return whole;
+occt::TrimTool named_tool(const occt::Model& model, const std::string& name) {
+  occt::TrimTool tool = occt::trim_tool(model.shape());
+  tool.name = name;
+  return tool;
+}
+
+// The model of an input, or of the parts that it names alone.
+const occt::Model& named_of(const reports::Input& input, std::list<occt::Model>& alone) {
+  if (static_cast<int>(input.numbers.size()) == input.model.face_count()) return input.model;
+  if (!reports::is_of_solids(input))
+    throw occt::BadModel(input.name +
+                         ": whole models or parts are wanted, not some of their faces");
+  return alone.emplace_back(reports::alone(input));
 }
 
 // What gives the faces of a cut along a plane their name: the plane as a part.
@@ -141,21 +150,22 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
     answer.repairs.push_back(reports::repairs_json(input));
     std::vector<occt::TrimTool> cutters;
     std::vector<const occt::Model*> origins;
+    std::list<occt::Model> alone;
+    const occt::Model& own = named_of(input, alone);
     for (const SharedModel& tool : tools) {
       const reports::Input& other = tool->repaired_input(watch);
       answer.tools.push_back(other.name);
       answer.repairs.push_back(reports::repairs_json(other));
-      cutters.push_back(whole_of(other));
-      origins.push_back(&other.model);
+      origins.push_back(&named_of(other, alone));
+      cutters.push_back(named_tool(*origins.back(), other.name));
     }
     std::list<occt::Model> plane_models;
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      cutters.push_back(
-          occt::half_space_tool(planes[i], input.model.shape(), reports::plane_name(i)));
-      plane_models.push_back(plane_model(planes[i], input.model.shape(), reports::plane_name(i)));
+      cutters.push_back(occt::half_space_tool(planes[i], own.shape(), reports::plane_name(i)));
+      plane_models.push_back(plane_model(planes[i], own.shape(), reports::plane_name(i)));
       origins.push_back(&plane_models.back());
     }
-    const occt::TrimTool whole = whole_of(input);
+    const occt::TrimTool whole = named_tool(own, input.name);
     if (const std::string cause = occt::misplaced_sheet(whole, cutters, *wanted); !cause.empty())
       throw occt::BadModel(cause);
     const double start = watch.seconds();
@@ -164,7 +174,7 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
     reports::note_faces(answer);
     watch.stop();
     return made_answer(with_reading(reports::solid_report(answer), models),
-                       made_model(operation, combined_model(answer.made, input.model, origins)));
+                       made_model(operation, combined_model(answer.made, own, origins)));
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <set>
 #include <utility>
 
 #include "adapters/occt/base/compounds.h"
@@ -25,13 +26,18 @@ LoadedModel::LoadedModel(std::string name, const TopoDS_Shape& shape)
     : name_(std::move(name)), given_(shape) {}
 
 std::shared_ptr<LoadedModel> LoadedModel::part(const std::vector<int>& numbers,
+                                               const std::vector<std::string>& words,
                                                const std::string& name) {
   for (const int number : numbers) model().face(number);
+  const reports::Selection named = reports::selection_of(model(), words);
+  std::set<int> faces(numbers.begin(), numbers.end());
+  faces.insert(named.faces.begin(), named.faces.end());
   std::shared_ptr<LoadedModel> made(new LoadedModel);
   made->name_ = name;
   made->repair_ = repair_;
   made->given_ = given_;
-  made->numbers_ = numbers;
+  made->numbers_ = words.empty() ? numbers : std::vector<int>(faces.begin(), faces.end());
+  made->named_ = named;
   made->model_ = model_;
   made->working_ = working_;
   return made;
@@ -49,7 +55,8 @@ const TopoDS_Shape& LoadedModel::whole_shape() const { return model_ ? model_->s
 
 TopoDS_Shape LoadedModel::shape() {
   if (!is_part()) return whole_shape();
-  return occt::compound_of(input().faces);
+  const reports::Input& part = input();
+  return part.selected.IsNull() ? occt::compound_of(part.faces) : part.selected;
 }
 
 int LoadedModel::face_count() const {
@@ -85,8 +92,9 @@ reports::Input& LoadedModel::input() {
   input.sewing = sewing_;
   input.shape = all.shape();
   input.numbers = numbers_;
-  for (int number = 1; number <= all.face_count() && numbers_.empty(); ++number)
+  for (int number = 1; number <= all.face_count() && !is_part(); ++number)
     input.numbers.push_back(number);
+  if (is_part()) reports::choose(named_, input);
   for (const int number : input.numbers) input.faces.push_back(all.face(number));
   measured_.emplace(std::move(input));
   return measured_->input;

@@ -17,6 +17,7 @@
 #include "adapters/occt/shapes.h"
 #include "plugin/python/control.h"
 #include "plugin/reports/models/measured_input.h"
+#include "plugin/reports/models/selection.h"
 
 namespace blossom::python {
 
@@ -29,12 +30,14 @@ class LoadedModel {
   LoadedModel(std::string name, occt::Model model, reports::Repairing repair);
   LoadedModel(std::string name, const TopoDS_Shape& shape);
 
-  /// Some faces, by their numbers in the model, which they keep.
-  /// throws   BadModel if there is no such face
-  std::shared_ptr<LoadedModel> part(const std::vector<int>& numbers, const std::string& name);
+  /// Some faces, by their numbers in the model, which they keep, and what words name, as inputs of
+  /// the command line: parts and solids have an inside.
+  /// throws   BadModel if there is no such face, or nothing is called so
+  std::shared_ptr<LoadedModel> part(const std::vector<int>& numbers,
+                                    const std::vector<std::string>& words, const std::string& name);
 
   const std::string& name() const { return name_; }
-  bool is_part() const { return !numbers_.empty(); }
+  bool is_part() const { return !numbers_.empty() || !named_.edges.empty(); }
   const TopoDS_Shape& whole_shape() const;
   /// Only the chosen faces, if some are.
   TopoDS_Shape shape();
@@ -76,8 +79,9 @@ class LoadedModel {
 
   std::string name_;
   reports::Repairing repair_ = reports::Repairing::None;
-  TopoDS_Shape given_;        // of a caller
-  std::vector<int> numbers_;  // none: all
+  TopoDS_Shape given_;          // of a caller
+  std::vector<int> numbers_;    // none, and no edges: all
+  reports::Selection named_{};  // beside them, or among them
   std::shared_ptr<occt::Model> model_;
   std::shared_ptr<std::timed_mutex> working_ = std::make_shared<std::timed_mutex>();
   bool repaired_ = false;

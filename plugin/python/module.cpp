@@ -86,16 +86,14 @@ void write_file(LoadedModel& model, const std::string& path, const Control& cont
     const LoadedModel::Turn turn = model.turn(watch);
     const std::function<void()> stop = [&watch] { watch.stop(); };
     if (!model.is_part()) return occt::write_model(model.repaired_input(watch).model, path, stop);
-    occt::Model part;
-    part.add(model.shape(), model.name());
-    occt::write_model(part, path, stop);
+    occt::write_model(reports::alone(model.repaired_input(watch)), path, stop);
   });
 }
 
-py::dict counts_of(const LoadedModel& model) {
+py::dict counts_of(LoadedModel& model) {
   py::dict counts;
   for (const reports::ShapeCount& each :
-       in_turn(model, [](const LoadedModel& m) { return reports::shape_counts(m.whole_shape()); }))
+       in_turn(model, [](LoadedModel& m) { return reports::shape_counts(m.shape()); }))
     counts[each.many] = each.count;
   return counts;
 }
@@ -142,8 +140,13 @@ py::object model_repairs(LoadedModel& model) {
   return to_python(in_turn(model, [](LoadedModel& m) { return reports::repairs_json(m.input()); }));
 }
 
-SharedModel part_of(LoadedModel& model, const std::vector<int>& numbers, const std::string& name) {
-  return in_turn(model, [&](LoadedModel& m) { return m.part(numbers, name); });
+SharedModel part_of(LoadedModel& model, const std::vector<int>& numbers,
+                    const std::vector<std::string>& words, const std::string& name) {
+  return in_turn(model, [&](LoadedModel& m) { return m.part(numbers, words, name); });
+}
+
+std::vector<std::string> words_in(LoadedModel& model, const std::string& list) {
+  return in_turn(model, [&](LoadedModel& m) { return reports::words_in(m.model(), list); });
 }
 
 TopoDS_Shape chosen_shape(LoadedModel& model) { return model.shape(); }
@@ -172,7 +175,8 @@ void add_model(py::module_& module) {
       .def("face_names", told([](LoadedModel& m) { return m.input().model.face_names(); }))
       .def("part_paths", told([](LoadedModel& m) { return m.input().model.part_paths(); }))
       .def("repairs", &model_repairs)
-      .def("part", &part_of, arg("numbers"), arg("name"))
+      .def("part", &part_of, arg("numbers"), arg("words"), arg("name"))
+      .def("words_in", &words_in, arg("list"))
       .def("brep", &brep_bytes)
       .def("swig", [](LoadedModel& m) { return swig_from_shape(in_turn(m, chosen_shape)); })
       .def("write", &write_file, arg("path"), arg("control"));

@@ -155,7 +155,13 @@ Answer info(const SharedModel& model, bool edges, const Control& control) {
     const reports::ModelFacts facts =
         reports::model_facts(input, problems, [&watch] { return watch.ended(); });
     reports::Json report = reports::info_report(input, facts);
-    if (edges) report["edges"] = reports::edges_json(occt::edge_facts(input.model.shape()));
+    if (edges) {
+      const std::set<int> own = reports::edge_numbers(input);
+      std::vector<occt::EdgeFacts> facts_of = occt::edge_facts(input.model.shape());
+      if (model->is_part())
+        std::erase_if(facts_of, [&](const auto& edge) { return !own.contains(edge.number); });
+      report["edges"] = reports::edges_json(facts_of);
+    }
     return with_reading(std::move(report), {model});
   }));
 }

@@ -188,7 +188,7 @@ void add_edge_blends(py::module_& module) {
                                .setback = setback,
                                .partial = partial};
         for (const auto& [edge, number, along] : own) of.own[edge] = radius_of(number, along);
-        return blend_edges(part, {edges, kind, between}, of, control);
+        return blend_edges(part, {{edges.begin(), edges.end()}, kind, between}, of, control);
       },
       arg("part"), arg("edges"), arg("kind"), arg("between"), arg("radius"), arg("law"), arg("own"),
       arg("section"), arg("setback"), arg("partial"), arg("control"));
@@ -199,7 +199,7 @@ void add_edge_blends(py::module_& module) {
          bool partial, const Control& control) {
         const occt::FilletOptions of{.chamfer = occt::ChamferSize{distance, second, angle},
                                      .partial = partial};
-        return blend_edges(part, {edges, kind, between}, of, control);
+        return blend_edges(part, {{edges.begin(), edges.end()}, kind, between}, of, control);
       },
       arg("part"), arg("edges"), arg("kind"), arg("between"), arg("distance"), arg("second"),
       arg("angle"), arg("partial"), arg("control"));

@@ -14,7 +14,6 @@
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
-#include "plugin/cli/arguments/selection.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
@@ -94,28 +93,11 @@ bool is_name(const std::string& entry) {
   });
 }
 
-// Solids, faces that are in none of them, and edges, side by side.
-TopoDS_Shape shape_of(const Selection& selection, const std::vector<int>& faces,
-                      const occt::Model& model) {
-  TopTools_IndexedMapOfShape solids, edges, bounding;
-  TopExp::MapShapes(model.shape(), TopAbs_SOLID, solids);
-  TopExp::MapShapes(model.shape(), TopAbs_EDGE, edges);
-  std::vector<TopoDS_Shape> shapes;
-  for (const int number : selection.solids) {
-    shapes.push_back(solids(number));
-    TopExp::MapShapes(solids(number), TopAbs_FACE, bounding);
-  }
-  for (const int number : faces)
-    if (!bounding.Contains(model.face(number))) shapes.push_back(model.face(number));
-  for (const int number : selection.edges) shapes.push_back(edges(number));
-  return occt::compound_of(shapes);
-}
-
 // The same, with names that have commas as one.
 InputName with_whole_names(InputName name, const std::string& text, const occt::Model& model) {
   name.faces.clear();
   name.words.clear();
-  for (const std::string& word : words_in(model, name.list))
+  for (const std::string& word : reports::words_in(model, name.list))
     if (is_name(word))
       name.words.push_back(word);
     else
@@ -125,16 +107,10 @@ InputName with_whole_names(InputName name, const std::string& text, const occt::
 
 // What words name, beside the faces that numbers do.
 void select(const InputName& name, Faces need, Input& input) {
-  const Selection selection = selection_of(input.model, name.words);
-  std::set<int> faces(input.numbers.begin(), input.numbers.end());
-  faces.insert(selection.faces.begin(), selection.faces.end());
-  input.numbers.assign(faces.begin(), faces.end());
-  input.solids.assign(selection.solids.begin(), selection.solids.end());
-  input.edges.assign(selection.edges.begin(), selection.edges.end());
+  const reports::Selection selection = reports::selection_of(input.model, name.words);
+  reports::choose(selection, input);
   if (need == Faces::Required && !input.edges.empty())
     throw UsageError("input '" + input.name + "': an edge is named where faces are wanted");
-  if (!input.solids.empty() || !input.edges.empty())
-    input.selected = shape_of(selection, input.numbers, input.model);
 }
 
 // A limit of 0 leaves faces loose, and so does what Open CASCADE fails on, or breaks down on:
@@ -223,7 +199,7 @@ Input read_input(const std::string& text, Faces need, reports::Repairing repair,
   return input;
 }
 
-std::string other_parts_text(const Input& input, const std::string& fate) {
+std::string other_parts_text(const Input& input, OtherParts fate) {
   const std::set<int> named(input.numbers.begin(), input.numbers.end());
   std::size_t others = 0;
   const auto look = [&](const occt::AssemblyNode& node, const auto& self) -> void {
@@ -234,17 +210,12 @@ std::string other_parts_text(const Input& input, const std::string& fate) {
   };
   for (const occt::AssemblyNode& root : input.model.assembly()) look(root, look);
   if (others == 0) return {};
-  return "  " + counted(others, "other part") + (others == 1 ? " is " : " are ") + fate + "\n";
-}
-
-bool is_of_solids(const Input& input) {
-  if (static_cast<int>(input.numbers.size()) == input.model.face_count()) return true;
-  TopTools_IndexedMapOfShape solids, bounding;
-  TopExp::MapShapes(input.model.shape(), TopAbs_SOLID, solids);
-  for (const int number : input.solids) TopExp::MapShapes(solids(number), TopAbs_FACE, bounding);
-  return !input.solids.empty() && std::ranges::all_of(input.faces, [&](const TopoDS_Face& face) {
-    return bounding.Contains(face);
-  });
+  const bool one = others == 1;
+  return "  " + counted(others, "other part") + (one ? " is " : " are ") +
+         (fate == OtherParts::LeftOut ? "left out"
+          : one                       ? "written as it was"
+                                      : "written as they were") +
+         "\n";
 }
 
 std::string FaceLabels::of(int number) const {

@@ -9,18 +9,20 @@
 #include <vector>
 
 #include "plugin/reports/models/input.h"
+#include "plugin/reports/models/selection.h"
 
 namespace blossom::cli {
 
 using reports::given_name;
 using reports::Input;
+using reports::is_of_solids;
 
 /// What the user wrote, taken apart. No ranges and no words means all faces.
 struct InputName {
   std::filesystem::path file;
   std::vector<std::pair<int, int>> faces;  ///< first and last number of each range, 1-based
   std::vector<std::string> words{};        ///< that name parts, faces, solids or edges, see
-                                           ///< `selection_of`
+                                           ///< `reports::selection_of`
   std::string list{};                      ///< both of them, as they were written
 
   bool is_whole() const { return faces.empty() && words.empty(); }
@@ -31,7 +33,7 @@ struct InputName {
 std::size_t selection_mark(const std::string& text);
 
 /// Takes `FILE`, `FILE#3,5-9`, `FILE#Shaft` or `FILE#Shaft/Face3,solid:2` apart. A file that is
-/// really called so wins. Names with commas are in pieces, see `words_in`.
+/// really called so wins. Names with commas are in pieces, see `reports::words_in`.
 /// throws   UsageError if an entry after the '#' is empty, or a bad number and none of a name
 InputName parse_input(const std::string& text);
 
@@ -54,13 +56,12 @@ Input read_input(const std::string& text, Faces need = Faces::Required,
                  reports::Repairing repair = reports::Repairing::Used,
                  reports::LooseFaces loose = reports::LooseFaces::Sewn);
 
-/// What becomes of the parts that an input does not name: "5 other parts are written as they were".
-/// Empty if there is none.
-/// fate   "written as they were"
-std::string other_parts_text(const Input& input, const std::string& fate);
+/// What becomes of the parts that an input does not name.
+enum class OtherParts { LeftOut, Kept };
 
-/// Whether all that an input means is solids, or all of a model.
-bool is_of_solids(const Input& input);
+/// "5 other parts are written as they were"; empty if there is none. To be asked before the model
+/// is changed.
+std::string other_parts_text(const Input& input, OtherParts fate);
 
 /// Faces as results name them: "face 12 (Bolt)", the part's name if it has one.
 class FaceLabels {

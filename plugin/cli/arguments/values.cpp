@@ -33,21 +33,6 @@ CLI::Validator taking(const std::string& what, std::function<bool(const std::str
           ""};
 }
 
-// How many letters are changed, left out, put in, or exchanged with their neighbours.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
-  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i)
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, changed});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-    }
-  return d[a.size()][b.size()];
-}
-
 }  // namespace
 
 std::optional<double> finite_value(const std::string& text) {
@@ -107,28 +92,6 @@ void limit_to(CLI::Option& option, const std::vector<std::string>& words) {
   option.type_name(braced + "}")->check(taking(listed(words), [words](const std::string& text) {
     return std::ranges::find(words, text) != words.end();
   }));
-}
-
-std::string listed(const std::vector<std::string>& words, const std::string& last) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 < words.size() ? ", " : " " + last + " ";
-    text += words[i];
-  }
-  return text;
-}
-
-std::string nearest_word(const std::string& typed, const std::vector<std::string>& words) {
-  std::string nearest;
-  std::size_t least = 1 + std::max<std::size_t>(1, typed.size() / 3);
-  for (const std::string& word : words) {
-    const std::size_t distance = edit_distance(typed, word);
-    if (distance < least) {
-      least = distance;
-      nearest = word;
-    }
-  }
-  return nearest;
 }
 
 }  // namespace blossom::cli

@@ -13,6 +13,7 @@
 #include <CLI/App.hpp>
 
 #include "plugin/reports/text/number_text.h"
+#include "plugin/reports/text/words.h"
 
 namespace blossom::cli {
 
@@ -38,14 +39,10 @@ CLI::Option* add_angle(CLI::App& command, const std::string& name, double& radia
 /// Limits an option to some words, which its help shows as "{cut,common,split}".
 void limit_to(CLI::Option& option, const std::vector<std::string>& words);
 
-/// "cut, common or split".
-std::string listed(const std::vector<std::string>& words, const std::string& last = "or");
-
+using reports::listed;
+using reports::nearest_word;
 using reports::number_text;
 using reports::rounded;
 using reports::seconds_text;
-
-/// The word that was most likely meant: the nearest one by edit distance; empty if none is near.
-std::string nearest_word(const std::string& typed, const std::vector<std::string>& words);
 
 }  // namespace blossom::cli

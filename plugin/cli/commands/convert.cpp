@@ -55,7 +55,7 @@ Made write_as_it_is(const ConvertCommand& options) {
   Made made;
   made.faces = input.faces.size();
   made.repairs.push_back(repairs_json(input));
-  made.others = other_parts_text(input, "left out");
+  made.others = other_parts_text(input, OtherParts::LeftOut);
   drop_other_faces(input);
   stop_if_interrupted();
   write_model(input.model, options.common.output);
@@ -69,7 +69,7 @@ Made write_converted(const ConvertCommand& options, Form form) {
     static_cast<nets::Conversion&>(made) = nets::converted_faces(
         *input.model, input.nets, form, options.tolerance, stop_if_interrupted);
     made.repairs.push_back(repairs_json(*input.model));
-    made.others = other_parts_text(*input.model, "left out");
+    made.others = other_parts_text(*input.model, OtherParts::LeftOut);
   } else {
     static_cast<nets::Conversion&>(made) = nets::converted(input.nets, form, stop_if_interrupted);
   }

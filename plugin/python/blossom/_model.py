@@ -99,14 +99,15 @@ class Model(Operations):
         return self.part([number])
 
     def part(self, numbers: Any) -> "Model":
-        """Some faces, by their numbers, as "Face3", or those of a part, as "Shaft"; they share the
-        model."""
+        """Some faces, by their numbers or as "Face3", or a part, "Shaft", and what else inputs of the
+        command line may name, as "solid:2" or "Shaft/Face3"; they share the model. Parts and
+        solids have an inside, faces have none."""
         if isinstance(numbers, str):
-            listed = _shapes.faces_named(self._core, numbers, "numbers")
-            return Model(self._core.part(listed, f"{self.name}#{numbers}"))
+            called = f"{self.name}#{numbers}"
+            return Model(_shapes.part_named(self._core, numbers, "numbers", called))
         listed = _checks.face_numbers(numbers, "numbers")
         name = f"{self.name}#{','.join(map(str, listed))}"
-        return Model(self._core.part(listed, name))
+        return Model(self._core.part(listed, [], name))
 
     def info(self, edges: bool = False, **options: Any) -> Dict[str, Any]:
         """What the model is made of, as `blossom info` reports it; with all its edges, too."""

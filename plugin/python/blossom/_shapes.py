@@ -61,7 +61,7 @@ def core_of_file(path: str, name: str, strict: bool, control: _core.Control) -> 
     if file == path or not os.path.exists(file):
         return _told_core(path, name, strict, control)
     model = _told_core(file, name, strict, control)
-    return model.part(faces_named(model, path[len(file) + 1 :], name), path)
+    return part_named(model, path[len(file) + 1 :], name, path)
 
 
 def _told_core(path: str, name: str, strict: bool, control: _core.Control) -> _core.Model:
@@ -83,30 +83,17 @@ def _told_core(path: str, name: str, strict: bool, control: _core.Control) -> _c
     return model
 
 
-def faces_named(model: _core.Model, words: str, name: str) -> List[int]:
+def part_named(model: _core.Model, words: str, name: str, called: str) -> _core.Model:
     """Of "3,5-9,Face12,Shaft", what an input of the command line has after its '#'. Names may have
     commas."""
-    entries = words.split(",")
     faces: List[int] = []
-    while entries:
-        for taken in range(len(entries), 0, -1):
-            called = _faces_called(model, ",".join(entries[:taken]))
-            if called:
-                break
+    names: List[str] = []
+    for word in model.words_in(words):
+        if any(letter.isalpha() for letter in word):
+            names.append(word)
         else:
-            taken = 1
-            called = _checks.chosen_faces(entries[0], name, model.face_count)
-        faces += called
-        del entries[:taken]
-    return sorted(set(faces))
-
-
-def _faces_called(model: _core.Model, word: str) -> List[int]:
-    """Those of all parts and assemblies of that name, or way, "machine:1/Shaft"; or of that name."""
-    wanted = f"/{word}/"
-    paths, names = model.part_paths(), model.face_names()
-    found = [n for n, path in enumerate(paths, start=1) if wanted in f"/{path}/"]
-    return found or [n for n, own in enumerate(names, start=1) if own == word]
+            faces += _checks.chosen_faces(word, name, model.face_count)
+    return model.part(sorted(set(faces)), names, called)
 
 
 def net_model(net: Any, name: str) -> _core.Model:

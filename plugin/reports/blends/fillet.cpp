@@ -4,9 +4,14 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/edge_facts.h"
+#include "core/base/errors.h"
 #include "plugin/reports/blends/blend_words.h"
+#include "plugin/reports/models/edges.h"
 #include "plugin/reports/models/repairs.h"
 
 namespace blossom::reports {
@@ -79,8 +84,6 @@ Json refusal_json(const occt::FilletRefusal& refusal) {
           {"largest_radius", number_or_null(refusal.told_largest())}};
 }
 
-}  // namespace
-
 std::vector<int> edges_to_round(const std::vector<occt::EdgeFacts>& facts,
                                 const std::string& kind) {
   std::vector<int> edges;
@@ -116,6 +119,52 @@ std::vector<int> edges_between(const std::vector<occt::EdgeFacts>& facts, int fa
     if (faces == pair && each.kind != occt::EdgeKind::Degenerate) edges.push_back(each.number);
   }
   return edges;
+}
+
+bool is_whole(const Input& part) {
+  return static_cast<int>(part.numbers.size()) == part.model.face_count();
+}
+
+void add_between(std::pair<int, int> faces, const std::vector<occt::EdgeFacts>& facts,
+                 std::set<int>& edges) {
+  const std::vector<int> common = edges_between(facts, faces.first, faces.second);
+  if (common.empty())
+    throw InvalidInput("faces " + std::to_string(std::min(faces.first, faces.second)) + " and " +
+                       std::to_string(std::max(faces.first, faces.second)) +
+                       " have no edge in common");
+  edges.insert(common.begin(), common.end());
+}
+
+void refuse_edges_beside(const Input& part, const std::set<int>& edges) {
+  if (is_whole(part)) return;
+  const std::set<int> own = edge_numbers(part);
+  for (const int edge : edges)
+    if (!own.contains(edge))
+      throw InvalidInput(part.name + ": edge " + std::to_string(edge) +
+                         " is of another part; info --edges has the numbers");
+}
+
+}  // namespace
+
+std::vector<int> edges_asked(const EdgeWish& wish, const Input& part, std::string& note) {
+  std::set<int> edges = wish.edges;
+  if (!wish.kind.empty() || wish.between) {
+    std::vector<occt::EdgeFacts> facts = occt::edge_facts(part.model.shape());
+    if (!is_whole(part)) {
+      const std::set<int> own = edge_numbers(part);
+      std::erase_if(facts, [&](const occt::EdgeFacts& edge) { return !own.contains(edge.number); });
+    }
+    if (wish.between) add_between(*wish.between, facts, edges);
+    if (wish.kind == "all") note = left_out(facts);
+    if (!wish.kind.empty())
+      for (const int edge : edges_to_round(facts, wish.kind)) edges.insert(edge);
+  }
+  refuse_edges_beside(part, edges);
+  if (edges.empty())
+    throw occt::BadModel(part.name + ": it has no " +
+                         (wish.kind.empty() || wish.kind == "all" ? "" : wish.kind + " ") +
+                         "edges that can be rounded");
+  return {edges.begin(), edges.end()};
 }
 
 bool is_unchanged(const occt::FilletResult& made) {

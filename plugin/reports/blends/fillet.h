@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/shapes.h"
 #include "plugin/reports/models/input.h"
@@ -14,15 +16,19 @@
 
 namespace blossom::reports {
 
-/// The numbers of the edges that can be rounded.
-/// kind   "all", "convex" or "concave"
-std::vector<int> edges_to_round(const std::vector<occt::EdgeFacts>& facts, const std::string& kind);
+/// Which edges of a model are meant.
+struct EdgeWish {
+  std::set<int> edges{};                         ///< numbers as in `edge_facts`
+  std::string kind{};                            ///< "all", "convex", "concave", or empty
+  std::optional<std::pair<int, int>> between{};  ///< the edges that two faces have in common
+};
 
-/// Which edges there are beside those that can be rounded, as a note; empty if there are none.
-std::string left_out(const std::vector<occt::EdgeFacts>& facts);
-
-/// The numbers of the edges that two faces, by number, have in common.
-std::vector<int> edges_between(const std::vector<occt::EdgeFacts>& facts, int face, int other);
+/// The numbers of the edges that are meant, which are those of the part: of a part of a model its
+/// own.
+/// note     which edges there are beside those that can be rounded, if all are meant
+/// throws   InvalidInput if two faces have no edge in common, or an edge is of another part;
+///          BadModel if there is no edge
+std::vector<int> edges_asked(const EdgeWish& wish, const Input& part, std::string& note);
 
 struct FilletAnswer {
   occt::FilletOptions of{};  ///< what was asked for across the edges

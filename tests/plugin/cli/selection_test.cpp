@@ -168,6 +168,16 @@ TEST_F(Selectors, SayWhatBecomesOfOtherParts) {
   const Finished kept = blossom({"trim", file_ + "#Lid", "--plane", "0,0,9.5,0,0,1", "--keep",
                                  "below", "-o", folder_ / "kept.step"});
   EXPECT_NE(kept.out.find("2 other parts are written as they were"), std::string::npos) << kept.out;
+  // Counted before faces have other numbers.
+  const Finished base = blossom({"trim", file_ + "#Plate", "--plane", "0,0,0.5,0,0,1", "--keep",
+                                 "above", "-o", folder_ / "base.step"});
+  EXPECT_NE(base.out.find("2 other parts are written"), std::string::npos) << base.out;
+  const Finished two = blossom({"blend", "fillet", file_ + "#Plate,Shaft", "--edges", "all",
+                                "--radius", "0.1", "-o", folder_ / "two.step"});
+  EXPECT_NE(two.out.find("1 other part is written as it was"), std::string::npos) << two.out;
+  const Finished all = blossom({"blend", "fillet", file_, "--edges", "all", "--radius", "0.1", "-o",
+                                folder_ / "all.step"});
+  EXPECT_EQ(all.out.find("other part"), std::string::npos) << all.out;
   const Finished cut = blossom({"trim", file_ + "#Lid", "--plane", "0,0,9.5,0,0,1", "--solid",
                                 "cut", "-o", folder_ / "cut.step"});
   EXPECT_NE(cut.out.find("2 other parts are left out"), std::string::npos) << cut.out;

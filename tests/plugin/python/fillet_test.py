@@ -3,6 +3,7 @@
 
 import math
 import pickle
+import tempfile
 import unittest
 
 import blossom
@@ -111,6 +112,24 @@ class Fillets(unittest.TestCase):
         ):
             with self.subTest(message), self.assertRaisesRegex(ValueError, message):
                 BLOCK.fillet(**{"radius": {1: 2}, **arguments})
+
+    def test_of_a_part_its_own_edges_are_rounded(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = f"{folder}/two.step"  # where no part has faces in common with the other
+            BLOCK.solid("split", planes=[((0, 0, 5), (0, 0, 1))]).to_step(file)
+            two = blossom.read(file)
+        part = two.part(two.part_paths[-1])
+        made = part.fillet("all", radius=1)
+
+        self.assertEqual(made.edges, [each["number"] for each in part.info(edges=True)["edges"]])
+        self.assertEqual(len(made.edges), 12)
+        self.assertEqual(made.model.counts["solids"], 2)
+        self.assertLess(made.model.volume, VOLUME)
+        other = next(n for n in range(1, 25) if n not in made.edges)
+        with self.assertRaisesRegex(ValueError, f"edge {other} is of another part"):
+            part.fillet([other], radius=1)
+        with self.assertRaisesRegex(ValueError, "whole models and parts, not in some faces"):
+            two.part([1]).fillet("all", radius=1)
 
     def test_errors_are_words(self):
         for error, message, arguments in (

@@ -46,8 +46,33 @@ class Reading(unittest.TestCase):
             self.assertEqual(whole.part(name).face_numbers, told)
             self.assertEqual(blossom.read(f"{path}#{name}").face_numbers, told)
             self.assertEqual(blossom.read(path, f"{name},Face2").face_numbers, sorted({2, *told}))
-        with self.assertRaisesRegex(ValueError, "'Nowhere' is no face"):
+        with self.assertRaisesRegex(ValueError, "no part and no face 'Nowhere' in it; .* 'Block'"):
             blossom.read(BLOCK).part("Nowhere")
+
+    def test_parts_have_an_inside_and_faces_have_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "two.step")
+            blossom.solid("split", BLOCK, planes=[((0, 0, 5), (0, 0, 1))]).to_step(path)
+            two = blossom.read(path)
+            low, high = sorted((two.part(name) for name in sorted(set(two.part_paths))),
+                               key=lambda part: part.volume)  # fmt: skip
+            self.assertAlmostEqual(low.volume, 60 * 40 * 5, 6)
+            self.assertEqual(low.counts["solids"], 1)
+            self.assertEqual(len(low.info(edges=True)["edges"]), 12)
+            self.assertAlmostEqual(low.solid("fuse", high).volume, 60 * 40 * 20, 6)
+            drilled = low.solid("cut", DRILL)
+            self.assertAlmostEqual(drilled.volume, 60 * 40 * 5 - np.pi * 8**2 * 5, 6)
+            self.assertEqual(two.part("solid:2").volume, blossom.read(f"{path}#solid:2").volume)
+            faces = two.part(low.face_numbers)
+            self.assertEqual(faces.volume, 0)
+            with self.assertRaisesRegex(ValueError, "whole models or parts are wanted, not some"):
+                faces.solid("cut", DRILL)
+
+            low.write(os.path.join(folder, "low#1.step"))
+            again = blossom.read(os.path.join(folder, "low#1.step"))
+            self.assertEqual(set(again.part_paths), {two.part_paths[low.face_numbers[0] - 1]})
+            name = again.part_paths[0]
+            self.assertEqual(len(blossom.read(f"{folder}/low#1.step#{name}/Face2")), 1)
 
     def test_files_of_triangles_are_told_what_takes_them(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -91,7 +116,7 @@ class Reading(unittest.TestCase):
         for edges in ("Edge3", ["Edge3"], ["edge:3"]):
             self.assertEqual(block.fillet(edges, radius=2).volume, block.fillet([3], radius=2).volume)
         self.assertEqual(block.fillet(radius={"Edge3": 2}).volume, block.fillet([3], radius=2).volume)
-        with self.assertRaisesRegex(ValueError, "^path: 'Shaft' is no face, such as 3 or 'Face3'$"):
+        with self.assertRaisesRegex(ValueError, "block.step: there is no part and no face 'Shaft' in it; there is 'Block'$"):
             blossom.read(f"{BLOCK}#Shaft")
         with self.assertRaisesRegex(ValueError, "^path: there is no face 999999999 in it, it has 6$"):
             blossom.read(f"{BLOCK}#1-999999999")

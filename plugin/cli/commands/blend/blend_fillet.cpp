@@ -25,7 +25,6 @@
 #include "core/base/errors.h"
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/options.h"
-#include "plugin/cli/arguments/selection.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/commands/blend/blend_parts.h"
 #include "plugin/cli/exit_code.h"
@@ -36,8 +35,8 @@
 #include "plugin/cli/process/progress.h"
 #include "plugin/reports/blends/blend_words.h"
 #include "plugin/reports/blends/fillet.h"
-#include "plugin/reports/models/edges.h"
 #include "plugin/reports/models/entity_words.h"
+#include "plugin/reports/models/selection.h"
 
 namespace blossom::cli {
 namespace {
@@ -64,58 +63,17 @@ struct FilletCommand {
 
 using TimedFillets = reports::FilletAnswer;
 
-// The edges that two faces have in common.
-void add_between(const FilletCommand& command, const std::vector<occt::EdgeFacts>& facts,
-                 std::set<int>& edges) {
-  const std::vector<int>& pair = command.between;
-  const std::vector<int> common = reports::edges_between(facts, pair[0], pair[1]);
-  if (common.empty())
-    throw UsageError(command.part + ": faces " + std::to_string(std::ranges::min(pair)) + " and " +
-                     std::to_string(std::ranges::max(pair)) + " have no edge in common");
-  edges.insert(common.begin(), common.end());
-}
-
-bool is_whole(const Input& part) {
-  return static_cast<int>(part.numbers.size()) == part.model.face_count();
-}
-
-void refuse_edges_beside(const Input& part, const std::set<int>& edges) {
-  if (is_whole(part)) return;
-  const std::set<int> own = reports::edge_numbers(part);
-  for (const int edge : edges)
-    if (!own.contains(edge))
-      throw UsageError(part.name + ": edge " + std::to_string(edge) +
-                       " is of another part; info --edges has the numbers");
-}
-
-// note   what else there is, if all edges are meant
-std::vector<int> edges_asked(const FilletCommand& command, const Input& part, std::string& note) {
-  std::set<int> edges(command.chosen.edges.begin(), command.chosen.edges.end());
-  if (command.all.empty() && command.between.empty()) {
-    refuse_edges_beside(part, edges);
-    return {edges.begin(), edges.end()};
-  }
-  std::vector<occt::EdgeFacts> facts = occt::edge_facts(part.model.shape());
-  if (!is_whole(part)) {
-    const std::set<int> own = reports::edge_numbers(part);
-    std::erase_if(facts, [&](const occt::EdgeFacts& edge) { return !own.contains(edge.number); });
-  }
-  if (!command.between.empty()) add_between(command, facts, edges);
-  if (command.all == "all") note = reports::left_out(facts);
-  if (!command.all.empty())
-    for (const int edge : reports::edges_to_round(facts, command.all)) edges.insert(edge);
-  refuse_edges_beside(part, edges);
-  if (edges.empty())
-    throw UsageError(command.part + ": it has no " +
-                     (command.all == "all" ? "" : command.all + " ") + "edges that can be rounded");
-  return {edges.begin(), edges.end()};
+reports::EdgeWish wish_of(const FilletCommand& command) {
+  reports::EdgeWish wish{{command.chosen.edges.begin(), command.chosen.edges.end()}, command.all};
+  if (!command.between.empty()) wish.between = {command.between[0], command.between[1]};
+  return wish;
 }
 
 TimedFillets timed_fillet(const FilletCommand& command, const Input& part) {
   Progress progress("filleting");
   TimedFillets timed{.of = command.fillet};
   std::string note;
-  timed.asked = edges_asked(command, part, note);
+  timed.asked = reports::edges_asked(wish_of(command), part, note);
   const auto start = std::chrono::steady_clock::now();
   occt::FilletOptions options = command.fillet;
   options.partial = command.partial;
@@ -224,7 +182,7 @@ void choose_edges_of_parts(FilletCommand& command, const Input& part) {
   for (const std::string& word : command.of_parts) {
     const std::size_t radius = word.find(':', word.rfind('/'));
     const std::string own = radius == std::string::npos ? "" : word.substr(radius);
-    for (const int edge : selection_of(part.model, {word.substr(0, radius)}).edges)
+    for (const int edge : reports::selection_of(part.model, {word.substr(0, radius)}).edges)
       read_size("--edges",
                 [&] { reports::choose_edge(std::to_string(edge) + own, command.chosen); });
   }
@@ -246,6 +204,7 @@ int run(FilletCommand command) {
   const bool unchanged = reports::is_unchanged(timed.made);
   const bool any = unchanged || !timed.made.solids.empty();
   const bool write = any && !outputs.output.empty();
+  const std::string others = other_parts_text(part, OtherParts::Kept);
   if (any)
     write_pictures(picture_files(outputs, [&] { return picture_of(command, part, timed.made); }));
   if (write) write_part(part, timed, outputs.output);
@@ -261,9 +220,7 @@ int run(FilletCommand command) {
                 << reason << '\n';
   }
   if (!outputs.json.empty()) write_json(reports::fillet_report(part, timed), outputs.json);
-  print_summary(
-      summary(command, part, timed) + (write ? other_parts_text(part, "written as they were") : ""),
-      outputs.json);
+  print_summary(summary(command, part, timed) + (write ? others : ""), outputs.json);
   if (!any) return exit_code_unwritten(exit_code(timed.made.status));
   return stated_exit_code(timed.made.refused.empty() ? kExitComplete : kExitTolerance);
 }

@@ -99,7 +99,7 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
   Input input = read_input(name);
   const Json repairs = Json::array({reports::repairs_json(input)});
   const std::vector<meshes::MeshGroup> groups = meshes::face_groups(input);
-  const std::string others = other_parts_text(input, "left out");
+  const std::string others = other_parts_text(input, OtherParts::LeftOut);
   drop_other_faces(input);
   stop_if_interrupted();
   FacetOptions options = conversion.facets;

@@ -155,6 +155,7 @@ int write_outputs(Inputs& inputs, TimedTrim& timed, const TrimCommand& options) 
   const std::vector<PictureFile> pictures =
       picture_files(options.common, [&] { return trim_picture(inputs.part, tools, timed.made); });
   const FaceLabels labels(inputs.part);
+  const std::string others = other_parts_text(inputs.part, OtherParts::Kept);
   if (reason.empty()) inputs.part.model.replace_faces(timed.made.replacements);
   std::optional<WatertightPieces>& watertight = timed.watertight;
   if (options.watertight && reason.empty()) {
@@ -165,7 +166,7 @@ int write_outputs(Inputs& inputs, TimedTrim& timed, const TrimCommand& options) 
   const bool write = !options.common.output.empty() && reason.empty();
   const bool unwritten = !options.common.output.empty() && !write;
   std::string text = summary(inputs, labels, timed);
-  if (write) text += other_parts_text(inputs.part, "written as they were");
+  if (write) text += others;
   timed.written = write;
   const Json report = reports::trim_report(inputs.part, tools, timed);
   if (watertight) text += summary_of(*watertight);

@@ -79,7 +79,7 @@ occt::Model model_of(const std::string& text, Json& repairs, std::string& others
     return std::move(input.model);
   if (!is_of_solids(input))
     throw UsageError(text + ": --solid takes whole models or solids, not some of their faces");
-  others = other_parts_text(input, "left out");
+  others = other_parts_text(input, OtherParts::LeftOut);
   drop_other_faces(input);
   return std::move(input.model);
 }

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "adapters/occt/shapes.h"
+#include "plugin/reports/models/input.h"
 
-namespace blossom::cli {
+namespace blossom::reports {
 
 /// Numbers are 1-based in the order of TopExp::MapShapes.
 struct Selection {
@@ -29,12 +30,21 @@ struct Selection {
 ///   TopFace                  a face with a name of its own, if there is no such part
 ///   Face3, Edge12, Solid2    the same as face:3, edge:12, solid:2, if nothing is called so
 ///
-/// throws   occt::BadModel, with the nearest names, if there is none; UsageError if a number is
-/// none
+/// throws   occt::BadModel, with the nearest names, if there is none; InvalidInput if a number is
+///          none
 Selection selection_of(const occt::Model& model, const std::vector<std::string>& words);
+
+/// Gives an input what is named beside the numbers that it has.
+void choose(const Selection& selection, Input& input);
+
+/// Whether all that an input means is solids, or all of a model.
+bool is_of_solids(const Input& input);
+
+/// A model of what an input names, with its names, looks and place in assemblies.
+occt::Model alone(const Input& input);
 
 /// The words of a list between commas; what the model calls by a name with commas, such as
 /// "Gear, big" or "Gear, big/Face3", is one word.
 std::vector<std::string> words_in(const occt::Model& model, const std::string& list);
 
-}  // namespace blossom::cli
+}  // namespace blossom::reports

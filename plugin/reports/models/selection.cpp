@@ -1,37 +1,36 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/arguments/selection.h"
+#include "plugin/reports/models/selection.h"
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
-#include "plugin/cli/arguments/values.h"
-#include "plugin/cli/exit_code.h"
-#include "plugin/cli/output/output.h"
+#include "core/base/errors.h"
 #include "plugin/reports/models/entity_words.h"
-#include "plugin/reports/models/input.h"
+#include "plugin/reports/text/words.h"
 
-namespace blossom::cli {
+namespace blossom::reports {
 namespace {
 
 using occt::AssemblyNode;
-using reports::given_name;
 
 // "Face3": a kind and a number, whatever the case of the letters.
-struct Counted {
+struct NumberedEntity {
   std::string kind;  // face, edge or solid
   int number = 0;
 };
 
-std::optional<Counted> counted_in(const std::string& word) {
+std::optional<NumberedEntity> counted_in(const std::string& word) {
   if (word.empty() || std::isalpha(static_cast<unsigned char>(word[0])) == 0) return std::nullopt;
   for (const char* kind : {"face", "edge", "solid"})
-    if (const auto number = reports::entity_number(word, kind)) return Counted{kind, *number};
+    if (const auto number = entity_number(word, kind)) return NumberedEntity{kind, *number};
   return std::nullopt;
 }
 
@@ -48,8 +47,8 @@ class Selecting {
     const std::string kind = word.substr(0, colon);
     const bool numbered = kind == "face" || kind == "edge" || kind == "solid";
     if (colon != std::string::npos && numbered) {
-      if (const auto number = reports::entity_number(word, kind)) return add_number(kind, *number);
-      throw UsageError(model_.file().string() + ": '" + word + "' has no number");
+      if (const auto number = entity_number(word, kind)) return add_number(kind, *number);
+      throw InvalidInput(model_.file().string() + ": '" + word + "' has no number");
     }
     const bool part = kind == "part" && colon != std::string::npos;
     add_named(part ? word.substr(colon + 1) : word);
@@ -136,7 +135,7 @@ class Selecting {
     for (const AssemblyNode& part : node.parts) collect(part, faces, solids);
   }
 
-  void add_counted(const AssemblyNode& node, const Counted& which, const std::string& name) {
+  void add_counted(const AssemblyNode& node, const NumberedEntity& which, const std::string& name) {
     std::vector<int> faces, solids;
     collect(node, faces, solids);
     const auto chosen = [&](const std::vector<int>& numbers, const std::string& kind) {
@@ -207,12 +206,58 @@ class Selecting {
   Selection made_{};
 };
 
+// Solids, faces that are in none of them, and edges, side by side.
+TopoDS_Shape shape_of(const Selection& selection, const std::vector<int>& faces,
+                      const occt::Model& model) {
+  TopTools_IndexedMapOfShape solids, edges, bounding;
+  TopExp::MapShapes(model.shape(), TopAbs_SOLID, solids);
+  TopExp::MapShapes(model.shape(), TopAbs_EDGE, edges);
+  std::vector<TopoDS_Shape> shapes;
+  for (const int number : selection.solids) {
+    shapes.push_back(solids(number));
+    TopExp::MapShapes(solids(number), TopAbs_FACE, bounding);
+  }
+  for (const int number : faces)
+    if (!bounding.Contains(model.face(number))) shapes.push_back(model.face(number));
+  for (const int number : selection.edges) shapes.push_back(edges(number));
+  return occt::compound_of(shapes);
+}
+
 }  // namespace
 
 Selection selection_of(const occt::Model& model, const std::vector<std::string>& words) {
   Selecting selecting(model);
   for (const std::string& word : words) selecting.add(word);
   return selecting.made();
+}
+
+void choose(const Selection& selection, Input& input) {
+  std::set<int> faces(input.numbers.begin(), input.numbers.end());
+  faces.insert(selection.faces.begin(), selection.faces.end());
+  input.numbers.assign(faces.begin(), faces.end());
+  input.solids.assign(selection.solids.begin(), selection.solids.end());
+  input.edges.assign(selection.edges.begin(), selection.edges.end());
+  if (!input.solids.empty() || !input.edges.empty())
+    input.selected = shape_of(selection, input.numbers, input.model);
+}
+
+bool is_of_solids(const Input& input) {
+  if (static_cast<int>(input.numbers.size()) == input.model.face_count()) return true;
+  TopTools_IndexedMapOfShape solids, bounding;
+  TopExp::MapShapes(input.model.shape(), TopAbs_SOLID, solids);
+  for (const int number : input.solids) TopExp::MapShapes(solids(number), TopAbs_FACE, bounding);
+  return !input.solids.empty() && std::ranges::all_of(input.faces, [&](const TopoDS_Face& face) {
+    return bounding.Contains(face);
+  });
+}
+
+occt::Model alone(const Input& input) {
+  std::map<int, std::vector<TopoDS_Face>> others;
+  for (int number = 1; number <= input.model.face_count(); ++number) others[number];
+  for (const int number : input.numbers) others.erase(number);
+  occt::Model model = input.model.copy();
+  if (!others.empty()) model.replace_faces(others);
+  return model;
 }
 
 std::vector<std::string> words_in(const occt::Model& model, const std::string& list) {
@@ -237,4 +282,4 @@ std::vector<std::string> words_in(const occt::Model& model, const std::string& l
   return words;
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::reports
