@@ -20,7 +20,8 @@ std::size_t PlacedShapes::Hash::operator()(const Key& key) const {
 }
 
 TopoDS_Shape PlacedShapes::placed(const PlacedShape& part) const {
-  return part.shape.Located(places_[static_cast<std::size_t>(part.place)]);
+  return part.shape.Located(places_[static_cast<std::size_t>(part.place)],
+                            false);  // also where it mirrors
 }
 
 // What several parts share is entered once.

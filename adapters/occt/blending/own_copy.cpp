@@ -24,7 +24,7 @@ TopoDS_Shape copied(const TopoDS_Shape& shape, TopTools_DataMapOfShapeShape& kno
     made.Convex(plain.Convex());
     known.Bind(plain, made);
   }
-  return known.Find(plain).Located(shape.Location()).Oriented(shape.Orientation());
+  return known.Find(plain).Located(shape.Location(), false).Oriented(shape.Orientation());
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ struct Surroundings {
 TopoDS_Face seen_in(const gp_Ax3& frame, const TopoDS_Face& face) {
   gp_Trsf into;
   into.SetTransformation(frame);
-  return TopoDS::Face(face.Moved(into));
+  return TopoDS::Face(face.Moved(into, false));
 }
 
 // Whether a stretch of a seam lies in a face and crosses it.

@@ -141,7 +141,7 @@ gp_Trsf transformation_into(const gp_Ax3& frame) {
 
 // The seams of a face as they are; nothing if one is no line or circle.
 std::optional<std::vector<Seam>> seams_of(const TopoDS_Face& face, const gp_Trsf& into) {
-  const auto surface = elementary_of(BRep_Tool::Surface(TopoDS::Face(face.Moved(into))));
+  const auto surface = elementary_of(BRep_Tool::Surface(TopoDS::Face(face.Moved(into, false))));
   const TopTools_IndexedMapOfShape edges = seams_in(face);
   TopTools_IndexedMapOfShape poles;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())

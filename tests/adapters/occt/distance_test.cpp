@@ -123,6 +123,15 @@ TEST(ShapeDistance, IsNoMoreThanThatOfOpenCascade) {
     }
 }
 
+// As Open CASCADE reads faces of IGES files: where a place mirrors, it wants to make no more.
+TEST(ShapeDistance, TakesPlacesThatMirror) {
+  gp_Trsf mirror;
+  mirror.SetMirror(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)));
+  const TopoDS_Shape bore = BRepPrimAPI_MakeCylinder(gp_Ax2({5, 0, 0}, {0, 0, 1}), 1, 2).Shape();
+  const MeasuredShape there(bore.Moved(TopLoc_Location(mirror), false));
+  expect_distance(nearest_point(there, {-9, 0, 1}), 3);
+}
+
 TEST(ShapeDistance, TakesPartsWhereTheyArePlaced) {
   // The same box twice in a compound that is turned and placed itself.
   gp_Trsf turn, apart, away;

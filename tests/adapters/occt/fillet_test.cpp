@@ -254,6 +254,15 @@ TEST(FilletStays, TheSameForMirroredBodies) {
                 rounded(box(10), {1, 2}, 2).solids.front().volume);
 }
 
+// As Open CASCADE reads faces of IGES files.
+TEST(FilletStays, TheSameAtPlacesThatMirror) {
+  gp_Trsf mirror;
+  mirror.SetMirror(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)));
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(5, 10).Shape();
+  const TopoDS_Shape there = cylinder.Moved(TopLoc_Location(mirror), false).Reversed();
+  expect_volume(rounded(there, {1, 3}, 2), rounded(cylinder, {1, 3}, 2).solids.front().volume);
+}
+
 TEST(FilletRefuses, ARadiusForWhichThereIsNoRoom) {
   for (const double radius : {10.01, 11.0, 100.0, 1e6}) {
     const FilletResult made = rounded(box(10), {1}, radius);
