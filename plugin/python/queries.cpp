@@ -147,13 +147,14 @@ Answer continuity(const SharedModel& model, const ContinuityTolerances& toleranc
   }));
 }
 
-Answer info(const SharedModel& model, bool edges, const Control& control) {
+Answer info(const SharedModel& model, bool edges, bool faces, const Control& control) {
   return told(interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
     const reports::Input& input = model->input();
     const auto problems = occt::face_problems(input.faces, input.numbers, checks_of(watch));
-    const reports::ModelFacts facts =
-        reports::model_facts(input, problems, [&watch] { return watch.ended(); });
+    const reports::ModelFacts facts = reports::model_facts(
+        input, problems, faces ? reports::FaceDetail::Full : reports::FaceDetail::Brief,
+        [&watch] { return watch.ended(); });
     reports::Json report = reports::info_report(input, facts);
     if (edges) {
       const std::set<int> own = reports::edge_numbers(input);

@@ -117,7 +117,7 @@ void add_places(py::module_& module) {
 
 void add_facts(py::module_& module) {
   module.def("check", &check, arg("model"), arg("control"));
-  module.def("info", &info, arg("model"), arg("edges"), arg("control"));
+  module.def("info", &info, arg("model"), arg("edges"), arg("faces"), arg("control"));
   module.def(
       "continuity",
       [](const SharedModel& model, double gap, double angle, double curvature,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iomanip>
 #include <memory>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -34,7 +35,42 @@ using reports::ModelFacts;
 
 constexpr double kUsualPrecision = 2e-7;   // of a box, model units: what is not told
 constexpr double kCornerRounding = 1e-12;  // of a box's size: so small, a coordinate is 0
-constexpr int kCornerDigits = 6;           // of a coordinate
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr int kCornerDigits = 6;        // of a coordinate
+constexpr double kNoDirection = 1e-12;  // of an axis or a place: so small, a coordinate is 0
+
+std::string triple(const Vec3& vector) {
+  const auto text = [](double x) {
+    return number_text(std::abs(x) < kNoDirection ? 0 : rounded(x));
+  };
+  return text(vector[0]) + ", " + text(vector[1]) + ", " + text(vector[2]);
+}
+
+std::string measures_text(const reports::Measures& of) {
+  const bool round = !of.radii.empty() || of.half_angle;
+  if (!round) return of.direction ? "normal " + triple(*of.direction) : "";
+  std::string text = of.hollow ? ", hollow" : "";
+  if (of.half_angle)
+    return "half angle " + number_text(rounded(*of.half_angle * kDegrees)) + "°" + text;
+  if (of.radii.size() == 1) return "radius " + number_text(rounded(of.radii[0])) + text;
+  return "radii " + number_text(rounded(of.radii[0])) + " and " +
+         number_text(rounded(of.radii[1])) + text;
+}
+
+// What lines of faces leave out.
+std::string place_text(const reports::Measures& of) {
+  if (!of.point) return {};
+  if (!of.direction) return ", centre " + triple(*of.point);
+  return ", axis " + triple(*of.direction) + " through " + triple(*of.point);
+}
+
+// As in pages of the web.
+std::string colour_text(const occt::FaceColour& colour) {
+  std::ostringstream text;
+  text << '#' << std::hex << std::setfill('0');
+  for (const double part : colour) text << std::setw(2) << std::lround(255 * part);
+  return text.str();
+}
 
 std::string face_line(const FaceFacts& face) {
   std::ostringstream line;
@@ -44,14 +80,18 @@ std::string face_line(const FaceFacts& face) {
     form << "degree " << face.degree_u << " x " << face.degree_v << ", spans " << face.spans_u
          << " x " << face.spans_v << (face.rational ? ", rational" : "");
   }
-  line << std::setw(42) << form.str() << std::setw(10) << face.tolerance
+  form << measures_text(face.measures);
+  // A degree sign takes two bytes.
+  line << std::setw(face.measures.half_angle ? 37 : 36) << form.str() << " " << std::setw(12)
+       << (face.area ? number_text(rounded(*face.area)) : "") << std::setw(10) << face.tolerance
        << (face.problems.empty() ? "valid  " : "NOT VALID: ");
   for (std::size_t i = 0; i < face.problems.size(); ++i)
     line << (i == 0 ? "" : "; ") << face.problems[i];
+  if (face.colour) line << (face.problems.empty() ? "" : "  ") << colour_text(*face.colour) << "  ";
   line << (face.name.empty() || face.problems.empty() ? "" : "  ") << face.name << "\n";
   if (verbosity() == Verbosity::Verbose && face.surface != "none")
     line << "        u " << face.u.from << " to " << face.u.to << ", v " << face.v.from << " to "
-         << face.v.to << "\n";
+         << face.v.to << place_text(face.measures) << "\n";
   return line.str();
 }
 
@@ -114,6 +154,7 @@ Picture info_picture(const Input& input, const ModelFacts& facts) {
   for (std::size_t i = 0; i < facts.faces.size(); ++i) {
     const FaceFacts& face = facts.faces[i];
     std::string label = labels.of(face.number) + "\n" + face.surface;
+    if (const std::string of = measures_text(face.measures); !of.empty()) label += ", " + of;
     for (const std::string& problem : face.problems) label += "\n" + problem;
     PictureFaces& group = face.problems.empty() ? good : bad;
     group.faces.push_back(input.faces[i]);
@@ -129,7 +170,8 @@ std::string faces_text(const ModelFacts& facts, bool all) {
   for (const FaceFacts& face : facts.faces)
     if (all || !face.problems.empty()) text += face_line(face);
   if (text.empty()) return text;
-  return "  face  surface    form" + std::string(38, ' ') + "tolerance validity, name\n" + text;
+  return "  face  surface    form" + std::string(33, ' ') +
+         "area (mm²)  tolerance validity, colour, name\n" + text;
 }
 
 struct InfoCommand {
@@ -172,12 +214,16 @@ int run_on_many(const CLI::App& command, const InfoCommand& options) {
 
 int run(const InfoCommand& options) {
   check_files(options.common, options.inputs);
+  const bool listed = options.faces || verbosity() == Verbosity::Verbose;
+  reading_policy().looks = reading_policy().looks || listed;
   const Input input =
       read_input(options.inputs.front(), Faces::Optional, reports::Repairing::None,
                  options.edges ? reports::LooseFaces::Sewn : reports::LooseFaces::Kept);
   const auto problems =
       occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()));
-  const ModelFacts facts = reports::model_facts(input, problems, interrupted);
+  const ModelFacts facts = reports::model_facts(
+      input, problems, listed ? reports::FaceDetail::Full : reports::FaceDetail::Brief,
+      interrupted);
   stop_if_interrupted();
   const std::vector<PictureFile> pictures =
       picture_files(options.common, [&] { return info_picture(input, facts); });
@@ -185,8 +231,7 @@ int run(const InfoCommand& options) {
   write_pictures(pictures);
   const std::string& json = options.common.json;
   Json report = reports::info_report(input, facts);
-  std::string text = info_text(input, facts) +
-                     faces_text(facts, options.faces || verbosity() == Verbosity::Verbose);
+  std::string text = info_text(input, facts) + faces_text(facts, listed);
   if (options.edges) {
     const EdgeList edges = edge_list(input);
     report["edges"] = edges.json;
@@ -212,8 +257,8 @@ void add_info(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("FILE");
   command->add_flag("--faces", options->faces,
-                    "list all faces, not only those that are not valid: number, surface, degrees, "
-                    "spans, tolerance; -v their parameters, too");
+                    "list all faces, not only those that are not valid: number, surface, radius or "
+                    "degrees, area, tolerance, colour; -v their axes and parameters, too");
   command->add_flag("--tree", options->tree,
                     "list parts and assemblies, too: names, numbers of solids and faces");
   command->add_flag("--edges", options->edges,

@@ -109,10 +109,11 @@ class Model(Operations):
         name = f"{self.name}#{','.join(map(str, listed))}"
         return Model(self._core.part(listed, [], name))
 
-    def info(self, edges: bool = False, **options: Any) -> Dict[str, Any]:
-        """What the model is made of, as `blossom info` reports it; with all its edges, too."""
-        listed = _checks.flag(edges, "edges")
-        return _core.info(self._core, listed, _checks.control(options)).report(True)
+    def info(self, edges: bool = False, faces: bool = False, **options: Any) -> Dict[str, Any]:
+        """What the model is made of, as `blossom info` reports it; with all its edges, and of faces
+        areas and colours, too."""
+        listed, measured = _checks.flag(edges, "edges"), _checks.flag(faces, "faces")
+        return _core.info(self._core, listed, measured, _checks.control(options)).report(True)
 
     def continuity(
         self,

@@ -2,7 +2,9 @@
 #include "plugin/reports/models/info.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
 
 #include <BRepAdaptor_Surface.hxx>
@@ -11,10 +13,17 @@
 #include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <gp_Cone.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
+#include <gp_Sphere.hxx>
+#include <gp_Torus.hxx>
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/base/surface_words.h"
+#include "adapters/occt/faces/area.h"
 
 namespace blossom::reports {
 namespace {
@@ -34,6 +43,67 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   TopTools_IndexedMapOfShape map;
   TopExp::MapShapes(shape, kind, map);
   return map.Extent();
+}
+
+// The point of an axis, a centre or a ring that a point of the surface belongs to.
+gp_Pnt middle_of(const BRepAdaptor_Surface& surface, const gp_Pnt& point) {
+  const auto on_axis = [&](const gp_Ax1& axis) {
+    return axis.Location().Translated(gp_Vec(axis.Direction()) *
+                                      gp_Vec(axis.Location(), point).Dot(axis.Direction()));
+  };
+  if (surface.GetType() == GeomAbs_Cylinder) return on_axis(surface.Cylinder().Axis());
+  if (surface.GetType() == GeomAbs_Cone) return on_axis(surface.Cone().Axis());
+  if (surface.GetType() == GeomAbs_Sphere) return surface.Sphere().Location();
+  const gp_Torus torus = surface.Torus();
+  const gp_Pnt foot = on_axis(torus.Axis());
+  const gp_Pnt centre = torus.Location();
+  return centre.Translated(gp_Vec(foot, point).Normalized() * torus.MajorRadius());
+}
+
+void measure_round(const BRepAdaptor_Surface& surface, const FaceFacts& face, bool reversed,
+                   Measures& measures) {
+  const auto place = [&](const gp_Ax1& axis) {
+    measures.point = occt::vec(axis.Location());
+    measures.direction = occt::vec(axis.Direction());
+  };
+  switch (surface.GetType()) {
+    case GeomAbs_Cylinder:
+      measures.radii = {surface.Cylinder().Radius()};
+      place(surface.Cylinder().Axis());
+      break;
+    case GeomAbs_Cone:
+      measures.half_angle = std::abs(surface.Cone().SemiAngle());
+      place(surface.Cone().Axis());
+      break;
+    case GeomAbs_Sphere:
+      measures.radii = {surface.Sphere().Radius()};
+      measures.point = occt::vec(surface.Sphere().Location());
+      break;
+    case GeomAbs_Torus:
+      measures.radii = {surface.Torus().MajorRadius(), surface.Torus().MinorRadius()};
+      place(surface.Torus().Axis());
+      break;
+    default: return;
+  }
+  gp_Pnt point;
+  gp_Vec du, dv;
+  surface.D1(at(face.u, 0.5), at(face.v, 0.5), point, du, dv);
+  const double outward = du.Crossed(dv).Dot(gp_Vec(middle_of(surface, point), point));
+  measures.hollow = reversed ? outward > 0 : outward < 0;
+}
+
+void measure(const BRepAdaptor_Surface& surface, bool reversed, FaceFacts& face) {
+  if (surface.GetType() != GeomAbs_Plane)
+    return measure_round(surface, face, reversed, face.measures);
+  const gp_Ax3 frame = surface.Plane().Position();
+  const Vec3 normal = occt::vec(frame.Direction());
+  face.measures.direction = (reversed == frame.Direct() ? -1.0 : 1.0) * normal;
+}
+
+std::optional<double> area_of(const TopoDS_Face& face) try {
+  return occt::area(face);
+} catch (const std::runtime_error&) {
+  return std::nullopt;
 }
 
 FaceFacts face_facts(const TopoDS_Face& face, int number, std::vector<std::string> problems) {
@@ -60,6 +130,7 @@ FaceFacts face_facts(const TopoDS_Face& face, int number, std::vector<std::strin
   }
   facts.periodic_u = surface.IsUPeriodic();
   facts.periodic_v = surface.IsVPeriodic();
+  measure(surface, face.Orientation() == TopAbs_REVERSED, facts);
   return facts;
 }
 
@@ -71,6 +142,16 @@ std::optional<occt::LeastBox> box_of(const TopoDS_Shape& shape,
   return std::nullopt;
 }
 
+void put_measures(const Measures& measures, Json& json) {
+  if (measures.radii.size() == 1) json["radius"] = measures.radii.front();
+  if (measures.radii.size() > 1) json["radii"] = measures.radii;
+  if (measures.half_angle) json["half_angle"] = *measures.half_angle;
+  const bool round = !measures.radii.empty() || measures.half_angle;
+  if (measures.point) json[measures.direction ? "on_axis" : "centre"] = measures.point->coordinates;
+  if (measures.direction) json[round ? "axis" : "normal"] = measures.direction->coordinates;
+  if (round) json["hollow"] = measures.hollow;
+}
+
 Json face_json(const FaceFacts& face) {
   Json json = {{"number", face.number}, {"name", face.name}, {"surface", face.surface}};
   if (face.degree_u > 0) {
@@ -80,6 +161,9 @@ Json face_json(const FaceFacts& face) {
   }
   if (face.surface != "none")
     json["parameters"] = {{face.u.from, face.u.to}, {face.v.from, face.v.to}};
+  put_measures(face.measures, json);
+  if (face.area) json["area"] = *face.area;
+  if (face.colour) json["colour"] = *face.colour;
   json["periodic"] = {face.periodic_u, face.periodic_v};
   json["wires"] = face.wires;
   json["edges"] = face.edges;
@@ -99,13 +183,18 @@ TopoDS_Shape subject_of(const Input& input) {
 }
 
 ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::string>>& problems,
-                       const std::function<bool()>& cancelled) {
+                       FaceDetail detail, const std::function<bool()>& cancelled) {
   ModelFacts facts;
+  const std::vector<std::optional<occt::FaceColour>> colours = occt::face_colours(input.model);
   const std::vector<std::string> names = input.model.face_names();
   for (std::size_t i = 0; i < input.faces.size(); ++i) {
     facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], problems[i]));
     FaceFacts& face = facts.faces.back();
     face.name = given_name(names[static_cast<std::size_t>(face.number - 1)]);
+    if (detail == FaceDetail::Full) {
+      face.colour = colours[static_cast<std::size_t>(face.number - 1)];
+      if (face.problems.empty() && !cancelled()) face.area = area_of(input.faces[i]);
+    }
     ++facts.surfaces[face.surface];
     facts.valid = facts.valid && face.problems.empty();
   }

@@ -12,12 +12,24 @@
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/face_colours.h"
 #include "adapters/occt/queries/least_box.h"
 #include "core/math/interval.h"
+#include "core/math/vec.h"
 #include "plugin/reports/models/input.h"
 #include "plugin/reports/text/json.h"
 
 namespace blossom::reports {
+
+/// Planes have a normal, cylinders a radius and an axis, cones half an angle instead, spheres a
+/// radius and a centre, tori both radii, a centre and an axis.
+struct Measures {
+  std::vector<double> radii;         ///< of a torus that of the ring first, model units
+  std::optional<double> half_angle;  ///< radians
+  std::optional<Vec3> point;         ///< the centre, or one of the axis
+  std::optional<Vec3> direction;     ///< of the axis; of a plane its outward normal
+  bool hollow = false;               ///< the outward normal points to the axis or the centre
+};
 
 struct FaceFacts {
   int number = 0;       ///< 1-based, in the order of TopExp::MapShapes
@@ -33,8 +45,11 @@ struct FaceFacts {
   bool periodic_v = false;
   int wires = 0;
   int edges = 0;
-  double tolerance = 0;               ///< of the face, model units
-  std::vector<std::string> problems;  ///< empty when the face is valid
+  double tolerance = 0;  ///< of the face, model units
+  Measures measures;
+  std::optional<double> area;              ///< if it is asked for and the face is valid
+  std::optional<occt::FaceColour> colour;  ///< of the face, its shell, solid or part
+  std::vector<std::string> problems;       ///< empty when the face is valid
 };
 
 struct ModelFacts {
@@ -46,10 +61,14 @@ struct ModelFacts {
   bool valid = true;  ///< every listed face is
 };
 
+/// Whether faces have their areas, which take longer than all the rest, and colours, which not all
+/// that read models want.
+enum class FaceDetail { Brief, Full };
+
 /// problems    that are known of each face
-/// cancelled   asked while the box is made
+/// cancelled   asked while faces are measured and the box is made, which then are left
 ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::string>>& problems,
-                       const std::function<bool()>& cancelled);
+                       FaceDetail detail, const std::function<bool()>& cancelled);
 
 /// What is asked about: the whole model, or what the user names of it.
 TopoDS_Shape subject_of(const Input& input);

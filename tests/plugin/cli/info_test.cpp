@@ -4,16 +4,22 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <regex>
 #include <sstream>
 #include <string>
 #include <utility>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <gp_Ax2.hxx>
 #include <nlohmann/json.hpp>
 
@@ -48,6 +54,49 @@ TEST(InfoCommand, TellsSurfaceDegreeSpansAndValidityOfEachFace) {
   EXPECT_EQ(info["faces"][0]["rational"], false);
   EXPECT_EQ(pipe["tolerance"], 1e-7);
   EXPECT_EQ(pipe["valid"], true);
+}
+
+TEST(InfoCommand, TellsRadiiNormalsAreasAndColours) {
+  const testing::TestFolder folder;
+  occt::Model model;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 2).Shape();
+  const gp_Ax2 up(gp_Pnt(5, 4, 0), gp_Dir(0, 0, 1));
+  model.add(BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeCylinder(up, 1.5, 2).Shape()).Shape(), "plate",
+            {1, 0, 0});
+  model.add(BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(30, 0, 0), gp_Dir(0, 0, 1)), 2, 1, 1).Shape(), "");
+  model.add(BRepPrimAPI_MakeSphere(gp_Pnt(0, 30, 0), 3).Shape(), "ball");
+  model.add(BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(0, 0, 30), gp_Dir(1, 0, 0)), 5, 1).Shape(), "ring");
+  occt::write_model(model, folder / "all.step");
+  const Finished run = blossom({"info", folder / "all.step", "--faces", "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json report = json::parse(run.out);
+  std::map<std::string, json> faces;
+  for (const json& face : report["faces"]) faces[face["surface"]] = face;
+
+  const json& bore = faces.at("cylinder");
+  EXPECT_EQ(bore["radius"], 1.5);
+  EXPECT_EQ(bore["hollow"], true);
+  EXPECT_EQ(bore["on_axis"][0], 5);
+  EXPECT_EQ(std::abs(bore["axis"][2].get<double>()), 1);
+  EXPECT_NEAR(bore["area"].get<double>(), 2 * std::numbers::pi * 1.5 * 2, 1e-8);
+  EXPECT_NEAR(bore["colour"][0].get<double>(), 1, 1e-12);
+  EXPECT_EQ(bore["colour"][2], 0);
+  EXPECT_NEAR(faces.at("cone")["half_angle"].get<double>(), std::numbers::pi / 4, 1e-12);
+  EXPECT_FALSE(faces.at("cone").contains("colour"));
+  EXPECT_EQ(faces.at("sphere")["centre"], json({0.0, 30.0, 0.0}));
+  EXPECT_EQ(faces.at("sphere")["hollow"], false);
+  EXPECT_EQ(faces.at("torus")["radii"], json({5.0, 1.0}));
+  EXPECT_EQ(faces.at("plane")["normal"].size(), 3u);
+
+  const std::string list = blossom({"info", folder / "all.step", "--faces"}).out;
+  EXPECT_TRUE(std::regex_search(
+      list, std::regex("cylinder +radius 1.5, hollow +18.8496 +1e-07 +valid +#ff0000 +plate\n")))
+      << list;
+  EXPECT_NE(list.find("normal 0, 0, 1 "), std::string::npos) << list;  // outward, of the top
+  EXPECT_NE(list.find("half angle 45\u00b0"), std::string::npos) << list;
+  EXPECT_FALSE(
+      json::parse(blossom({"info", folder / "all.step", "--json", "-"}).out)["faces"][0].contains(
+          "area"));
 }
 
 TEST(InfoCommand, ShowsTheModelAsAPictureAPageAndAModelOfTriangles) {

@@ -190,6 +190,9 @@ class Edges(unittest.TestCase):
         self.assertNotIn("edges", BLOCK.info())
         told = support.told_by_program("info", "--edges", FILES / "block.step")
         self.assertEqual(edges, told["edges"])
+        told = support.told_by_program("info", "--faces", FILES / "block.step")
+        self.assertEqual(blossom.read(FILES / "block.step").info(faces=True)["faces"], told["faces"])
+        self.assertNotIn("area", BLOCK.info()["faces"][0])
 
     def test_continuity_names_every_edge(self):
         made = BLOCK.continuity()
