@@ -117,6 +117,15 @@ void add_places(py::module_& module) {
 
 void add_facts(py::module_& module) {
   module.def("check", &check, arg("model"), arg("control"));
+  module.def(
+      "sew",
+      [](const SharedModel& model, const Control& control) {
+        interruptible(control, [&](const Watch& watch) {
+          const LoadedModel::Turn turn = model->turn(watch);
+          model->repaired_input(watch);
+        });
+      },
+      arg("model"), arg("control"));
   module.def("info", &info, arg("model"), arg("edges"), arg("faces"), arg("control"));
   module.def(
       "continuity",

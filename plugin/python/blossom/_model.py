@@ -109,6 +109,12 @@ class Model(Operations):
         name = f"{self.name}#{','.join(map(str, listed))}"
         return Model(self._core.part(listed, [], name))
 
+    def sew(self, **options: Any) -> "Model":
+        """Sews loose faces into the solids that they close, in this model itself, and returns it.
+        Other questions but `intersect`, `subdivide` and `info` do so first; see `repairs`."""
+        _core.sew(self._core, _checks.control(options))
+        return self
+
     def info(self, edges: bool = False, faces: bool = False, **options: Any) -> Dict[str, Any]:
         """What the model is made of, as `blossom info` reports it; with all its edges, and of faces
         areas and colours, too."""

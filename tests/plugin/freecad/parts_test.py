@@ -109,6 +109,12 @@ def loose(document, faces, name="Loose"):
     return obj
 
 
+def _twins(obj, number):
+    """The numbers of the edges where an edge is."""
+    middle = obj.Shape.Edges[number - 1].CenterOfMass
+    return [n for n, edge in enumerate(obj.Shape.Edges, start=1) if edge.CenterOfMass.isEqual(middle, 1e-9)]
+
+
 def loose_faces_are_sewn(document):
     faces = Part.makeBox(10, 10, 10).Faces
     block, post = loose(document, faces), box(document, "Post", (2, 2, 10), (4, 4, 5))
@@ -119,13 +125,28 @@ def loose_faces_are_sewn(document):
     claim("they are cut as a solid", valid(cut) and near(cut.Shape.Volume, 1000 - 20))
     claim("and cut as one", valid(kept) and near(kept.Shape.Volume, 20))
     claim("the object stays as it is", not block.Shape.Solids)
+    number = next(n for n, edge in enumerate(block.Shape.Edges, start=1)
+                  if edge.CenterOfMass.isEqual(V(10, 10, 5), 1e-9))  # fmt: skip
+    one = make.fillet(document, [(block, (f"Edge{number}",))], Radius="1 mm")
+    own = make.fillet(document, block, Radius="1 mm", Radii=[f"Edge{number}: 2 mm"])
+    bevelled = make.chamfer(document, [(block, ("Face1",))], Distance="1 mm")
+    found = make.clash(document, [(block, ""), (box(document, "Pin", (1, 1, 10), (4, 4, 5)), "")])
+    document.recompute()
+    taken = 10 * (1 - math.pi / 4)
+    claim("an edge that two faces have is rounded", near(one.Shape.Volume, 1000 - taken))
+    claim("under the lesser of its numbers", one.Rounded == [min(_twins(block, number))])
+    claim("with a radius of its own", valid(own) and own.Shape.Volume < 1000 - 12 * taken * 0.9)
+    claim("all twelve are", len(own.Rounded) == 12)
+    claim("a face's edges are cut off", valid(bevelled) and len(bevelled.CutOff) == 4)
+    claim("they clash as a solid", (found.Clashes, found.Solids) == (1, ["Loose", "Pin"]))
+    claim("and stay as they are", not block.Shape.Solids and len(block.Shape.Edges) == 24)
     block.Shape = Part.makeCompound([face.copy() for face in faces[:5]])
     document.recompute()
     claim("what closes nothing is cut as a sheet", valid(cut) and not cut.Shape.Solids and near(cut.Area, 500))
     rounded, found = make.fillet(document, block), make.clash(document, [(block, ""), (post, "")])
     document.recompute()
     for made in (rounded, found):
-        claim(f"{made.Name} says what makes a solid of them", says(made, "Part > Convert to solid"))
+        claim(f"{made.Name} says that they close none", says(made, "and its faces close none"))
 
 
 def clash_follows_containers_and_refuses_faces(document):

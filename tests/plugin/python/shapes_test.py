@@ -171,6 +171,7 @@ class FreeCADShapes(unittest.TestCase):
                 found = blossom.shape(shape).mass().to_dict()["total"]
                 self.assertEqual(found and round(found["volume"], 9), volume)
             self.assertEqual(len(blossom.shape(shape).section((0, 0, 1), (0, 0, 1))), 1)
+            self.assertEqual(len(blossom.shape(shape).sew().to_part().Solids), volume is not None)
             self.assertEqual(written(shape), before)
 
     def test_a_null_shape_is_told(self):

@@ -34,19 +34,26 @@ class EdgeBlend(Feature):
     DONE = ""  # the fact with the numbers of edges
 
     def inputs(self, obj):
-        whole, _ = links.whole_with_edges(obj.Edges, "Edges")
-        if not whole.Solids:
-            wrong = links.without_solid(whole, links.shown(links.members(obj.Edges)[0][0], ""))
+        solid, _, _ = _chosen(obj)
+        if not solid.Solids:
+            wrong = links.without_solid(solid, _label(obj))
             raise ValueError(f"Edges: those of a solid are wanted, {wrong}")
-        return {"Edges": whole}
+        return {"Edges": solid}
 
     def options(self, obj):
-        _, numbers = links.whole_with_edges(obj.Edges, "Edges")
+        _, numbers, become = _chosen(obj)
+        size = self.size(obj)
+        if become and isinstance(size.get("radius"), dict):
+            size["radius"] = {
+                each: radius
+                for edge, radius in size["radius"].items()
+                for each in ([edge] if edge is None else become(edge))
+            }
         return {
             "edges": numbers or "all",
             "partial": obj.Partial,
             "tolerance": obj.Tolerance.Value,
-            **self.size(obj),
+            **size,
         }
 
     def size(self, obj):
@@ -62,8 +69,54 @@ class EdgeBlend(Feature):
             "Notes": report["notes"],
         }
 
+    def take(self, obj, question, answer):
+        if (become := _chosen(obj)[2]) is not None:
+            answer = answer._replace(report=_renumbered(answer.report, become, obj))
+        super().take(obj, question, answer)
+
     def nothing(self, obj):
         return obj.Refused[0] if obj.Refused else "no edge was changed"
+
+
+def _label(obj):
+    return links.shown(links.members(obj.Edges)[0][0], "")
+
+
+def _chosen(obj):
+    """The solid, the numbers of its edges that are meant, and if it is made of loose faces what
+    tells which of its edges one of theirs has become. throws ValueError"""
+    whole, numbers = links.whole_with_edges(obj.Edges, "Edges")
+    solid = links.solid_of(whole, _label(obj))
+    if solid is whole:
+        return whole, numbers, None
+    edges = whole.Edges
+
+    def become(number):
+        if not 1 <= number <= len(edges):
+            raise ValueError(f"Edges: there is no Edge{number}, there are {len(edges)}")
+        return links.edges_within(solid, edges[number - 1])
+
+    made = sorted({each for number in numbers for each in become(number)})
+    if numbers and not made:
+        raise ValueError("Edges: none of these is an edge of the solid that the faces close")
+    return solid, made, become
+
+
+def _renumbered(report, become, obj):
+    """The report with the numbers that edges have in the object, of two that are one now the lesser
+    one."""
+    whole, _ = links.whole_with_edges(obj.Edges, "Edges")
+    own = {}
+    for number in range(1, len(whole.Edges) + 1):
+        for each in become(number):
+            own.setdefault(each, number)
+    return {
+        **report,
+        "edges": sorted({own.get(each, each) for each in report["edges"]}),
+        "refused": [
+            {**each, "edge": own.get(each["edge"], each["edge"])} for each in report["refused"]
+        ],
+    }
 
 
 def positive(length, name):

@@ -167,7 +167,7 @@ def _solids(link, name):
     found = []
     for target, sub in links.members(link):
         label = links.shown(target, sub)
-        shape = links.shape_of(target, sub, name)
+        shape = links.solid_of(links.shape_of(target, sub, name), label)
         solids = shape.Solids
         if not solids or not all(solid.isClosed() for solid in solids):
             wrong = links.without_solid(shape, label)

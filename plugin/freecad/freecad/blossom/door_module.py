@@ -27,6 +27,10 @@ class ModuleDoor:
         """A shape of Part, ready to be asked about; messages call it by the name."""
         return blossom.shape(shape, name)
 
+    def sewn(self, shape, name):
+        """The shape with its loose faces as the solids that they close."""
+        return blossom.shape(shape, name).sew(**self._way).to_part()
+
     def intersect(self, a, b, **options):
         return self._answer(a.intersect(b, **options, **self._way))
 

@@ -48,6 +48,10 @@ class ProgramDoor:
             raise OSError(f"{name}: {file} cannot be written: {error.strerror}") from None
         return file
 
+    def sewn(self, shape, name):
+        """The shape with its loose faces as the solids that they close."""
+        return self._ask(["convert", self.hold(shape, name)], {}).shape
+
     def intersect(self, a, b, **options):
         return self._ask(["intersect", a, b], options)
 

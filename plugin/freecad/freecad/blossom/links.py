@@ -6,7 +6,11 @@ through a container: (part, ["Box.Face3"]) is the face of the box where the part
 the box alone does not know.
 """
 
+import collections
+
 import Part
+
+from . import door
 
 
 def told(link):
@@ -129,12 +133,46 @@ def face_with_edge(link, name):
     raise ValueError(f"{name}: {shown(*edges[0])} is no edge of the face")
 
 
+_sewn = collections.deque(maxlen=8)  # pairs of shapes of loose faces and what they close
+
+
+def solid_of(shape, label):
+    """A shape, or if it has faces alone, as surface models have them, the solid that they close; it
+    stays as it is where they close none."""
+    if shape.Solids or len(shape.Faces) < 2:
+        return shape
+    for given, made in _sewn:
+        if given.isSame(shape):
+            return made
+    made = door.opened().sewn(shape, label)
+    made = made if made.Solids else shape
+    _sewn.append((shape, made))
+    return made
+
+
 def without_solid(shape, label):
-    """That an object has no closed solid; how one comes of faces, as surface models have them."""
-    told = f"{label} has none"
-    if len(shape.Faces) < 2:
-        return told
-    return f"{told}, but faces: if they close, Part > Convert to solid makes one of them"
+    """That an object has no closed solid."""
+    return f"{label} has none" + (", and its faces close none" if len(shape.Faces) > 1 else "")
+
+
+def edges_within(solid, edge):
+    """The numbers of the edges of a solid of which an edge of the faces that it is made of, or a
+    part of that edge, has become one."""
+    near = edge.BoundBox
+    return [
+        number
+        for number, each in enumerate(solid.Edges, start=1)
+        if not each.Degenerated and near.intersect(each.BoundBox) and _lies_on(each, edge)
+    ]
+
+
+def _lies_on(edge, other):
+    apart = edge.Tolerance + other.Tolerance
+    first, last = edge.FirstParameter, edge.LastParameter
+    return all(
+        other.distToShape(Part.Vertex(edge.valueAt(first + share * (last - first))))[0] <= apart
+        for share in (0.5, 0, 0.25, 1)
+    )
 
 
 def whole_with_edges(link, name):
