@@ -74,6 +74,7 @@ Json mesh_report(const std::string& file, const std::string& output, const MeshA
           {"folded", answer.folded},
           {"crossings", answer.crossings ? Json(*answer.crossings) : Json(nullptr)},
           {"crossing_faces", answer.crossing_faces},
+          {"crossings_between_parts", answer.between_parts},
           {"refused", std::move(refused)},
           {"seconds", answer.seconds}};
 }
@@ -90,14 +91,19 @@ std::string mesh_notes(const MeshAnswer& answer) {
   if (!answer.edges.crowded.empty())
     text << "  it is no manifold at " << counted(answer.edges.crowded.size(), "edge")
          << " of more than two faces:" << named(answer.edges.crowded, number) << "\n";
-  if (answer.crossings && *answer.crossings > 0)
-    text << "  " << counted(*answer.crossings, "pair") << " of triangles cross, of faces"
-         << named(answer.crossing_faces,
+  const std::size_t crossing = answer.crossings.value_or(0);
+  if (crossing > answer.between_parts)
+    text << "  " << counted(crossing - answer.between_parts, "pair")
+         << " of triangles cross, of faces"
+         << named(answer.faces_of_one,
                   [](const std::array<int, 2>& pair) {
                     return std::to_string(pair[0]) +
                            (pair[0] == pair[1] ? "" : " and " + std::to_string(pair[1]));
                   })
          << "\n";
+  if (answer.between_parts > 0)
+    text << "  " << counted(answer.between_parts, "pair")
+         << " of triangles of different parts cross, as where these touch; clash says which do\n";
   if (answer.folded > 0)
     text << "  " << counted(static_cast<std::size_t>(answer.folded), "triangle")
          << " turned over, where a face is narrower than the deviation\n";

@@ -19,6 +19,7 @@
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp.hxx>
+#include <gp_Dir.hxx>
 #include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
@@ -181,6 +182,20 @@ TEST_F(ConvertMesh, SaysWhichFacesCross) {
   const nlohmann::json made = report("two.brep", "two.stl");
   EXPECT_GT(made["crossings"], 0);
   EXPECT_EQ(made["crossing_faces"].size(), 6u);
+  EXPECT_EQ(made["crossings_between_parts"], made["crossings"]);
+  const std::string told = run("two.brep", "again.stl").out;
+  EXPECT_NE(told.find("of triangles of different parts cross"), std::string::npos) << told;
+  EXPECT_EQ(told.find("of triangles cross, of faces"), std::string::npos) << told;
+
+  // A band that goes through itself is of one part.
+  TopoDS_Compound crossed;
+  builder.MakeCompound(crossed);
+  builder.Add(crossed, BRepBuilderAPI_MakeFace(gp_Pln(), 0, 2, 0, 2).Face());
+  builder.Add(crossed, BRepBuilderAPI_MakeFace(gp_Pln({1, 1, 0}, {1, 0, 0}), -1, 1, -1, 1).Face());
+  write(crossed, "cross.brep");
+  EXPECT_EQ(report("cross.brep", "cross.stl")["crossings_between_parts"], 0);
+  EXPECT_NE(run("cross.brep", "again.stl").out.find("of triangles cross, of faces 1 and 2"),
+            std::string::npos);
 }
 
 TEST_F(ConvertMesh, RefusesFormsOfSurfaces) {
