@@ -120,8 +120,7 @@ class Judge {
       if (i >= j || flat_[index(i)] || flat_[index(j)] ||
           !cross_beyond(triangles_[index(i)], triangles_[index(j)]))
         return;
-      ++found_.crossings;
-      if (found_.crossing_pairs.size() < kListedCrossings) found_.crossing_pairs.push_back({i, j});
+      found_.crossing_pairs.push_back({i, j});
     });
     std::ranges::sort(found_.crossing_pairs);
   }

@@ -24,16 +24,12 @@ struct MeshVerdict {
   double area = 0;
   /// Enclosed where the mesh is closed, negative if it is turned inside out; to rounding.
   double volume = 0;
-  std::size_t crossings = 0;  ///< pairs of triangles that meet beyond what they share
-  /// The first of them, by place.
+  /// Pairs of triangles that meet beyond what they share, by place.
   std::vector<std::array<int, 2>> crossing_pairs;
 
   /// All sides are gone along as often one way as the other; bodies may share a side.
   bool closed() const { return open_sides == 0 && turned_sides == 0; }
 };
-
-/// The most pairs that `crossing_pairs` lists.
-inline constexpr std::size_t kListedCrossings = 1000;
 
 /// Degenerate triangles cross nothing here.
 ///

@@ -18,13 +18,14 @@ namespace blossom::meshes {
 /// What is wrong with triangles, see adapters/cgal/mesh_judge.h.
 struct JudgedMesh {
   std::size_t open_sides = 0, crowded_sides = 0, turned_sides = 0;
-  std::size_t degenerate = 0, parts = 0, crossings = 0;
+  std::size_t degenerate = 0, parts = 0;
   double area = 0, volume = 0;
   std::vector<std::array<int, 2>> crossing_pairs;
 
   bool closed() const { return open_sides == 0 && turned_sides == 0; }
   bool sound() const {
-    return closed() && crowded_sides == 0 && degenerate == 0 && crossings == 0 && volume > 0;
+    return closed() && crowded_sides == 0 && degenerate == 0 && crossing_pairs.empty() &&
+           volume > 0;
   }
 };
 

@@ -232,8 +232,12 @@ std::string missing_part(const CLI::App& command, const std::string& message) {
   return first.get_positional() ? needs_input(command, first) : needs_option(command, first);
 }
 
-// An option that is not known, if there is one: a value that follows it is not known either.
+// An option that is not known, if there is one: a value that follows it is not known either. But
+// options behind a command that is none may be right.
 std::string unknown_word(const CLI::App& command, const std::vector<std::string>& extras) {
+  if (command.get_parent() != nullptr && command.get_require_subcommand_min() > 0 &&
+      !extras.front().starts_with('-'))
+    return no_such_command(command, extras.front());
   const auto option = std::ranges::find_if(
       extras, [](const std::string& text) { return text.size() > 1 && text[0] == '-'; });
   if (option != extras.end()) return no_such_option(command, *option);

@@ -20,7 +20,7 @@ TEST(MeshVerdict, OfATetrahedronIsClosedWithItsVolume) {
   const cgal::MeshVerdict found = cgal::judge_mesh(kCorners, kTetrahedron);
   EXPECT_TRUE(found.closed());
   EXPECT_DOUBLE_EQ(found.volume, 2);
-  EXPECT_EQ(found.crossings, 0u);
+  EXPECT_EQ(found.crossing_pairs.size(), 0u);
   EXPECT_EQ(found.degenerate, 0u);
   EXPECT_EQ(found.parts, 1u);
 }
@@ -64,12 +64,12 @@ TEST(MeshVerdict, HasAVolumeWhereBodiesShareASide) {
 TEST(MeshVerdict, FindsCrossingsOfTrianglesThatShareNothingACornerOrASide) {
   const std::vector<Vec3> points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0},  {1, 1, -1},
                                  {1, 1, 1}, {3, 3, 1}, {1, 1, -2}, {1, 1, 0}};
-  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {3, 4, 5}}).crossings, 1u);
-  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 4, 6}}).crossings, 1u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {3, 4, 5}}).crossing_pairs.size(), 1u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 4, 6}}).crossing_pairs.size(), 1u);
   // Folded onto the other one, and beside it.
-  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {1, 0, 7}}).crossings, 1u);
-  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {1, 0, 4}}).crossings, 0u);
-  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 1, 2}}).crossings, 1u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {1, 0, 7}}).crossing_pairs.size(), 1u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {1, 0, 4}}).crossing_pairs.size(), 0u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 1, 2}}).crossing_pairs.size(), 1u);
 }
 
 TEST(MeshVerdict, CountsFlatTrianglesExactly) {

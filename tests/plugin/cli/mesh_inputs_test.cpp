@@ -10,9 +10,13 @@
 #include <numbers>
 #include <string>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Ax2.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
@@ -145,6 +149,29 @@ TEST_F(MeshInputs, DeepChecksOfModelsCountCrossings) {
   EXPECT_EQ(found["closed"], true);
   EXPECT_EQ(found["crossings"], 0);
   EXPECT_NEAR(found["volume"].get<double>(), std::numbers::pi * 2000, 60);
+}
+
+// However many triangles of parts that touch cross: here more than a report lists.
+TEST_F(MeshInputs, DeepChecksOfPartsThatTouchFindNoFault) {
+  const gp_Ax2 along(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
+  const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(along, 5, 20).Shape();
+  const gp_Ax2 turned(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1), gp_Dir(2, 1, 0));
+  const TopoDS_Shape bush = BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(turned, 8, 20).Shape(),
+                                            BRepPrimAPI_MakeCylinder(turned, 5, 20).Shape())
+                                .Shape();
+  TopoDS_Compound both;
+  const BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, pin);
+  builder.Add(both, bush);
+  write(both, "fit.brep");
+  const nlohmann::json made =
+      report({"convert", path("fit.brep"), "-o", path("fit.stl"), "--deviation", "0.0005"});
+  EXPECT_GT(made["crossings"], 1000);
+  EXPECT_EQ(made["crossings_between_parts"], made["crossings"]);
+  const nlohmann::json found = report({"check", path("fit.brep"), "--deep"})["triangles"];
+  EXPECT_EQ(found["crossings"], 0);
+  EXPECT_GT(found["crossings_between_parts"], 0);
 }
 
 }  // namespace

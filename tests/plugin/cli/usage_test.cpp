@@ -48,6 +48,7 @@ TEST(Values, TheNearestWordIsWithinAFewLetters) {
   const std::vector<std::string> words = {"json", "tolerance", "help"};
   EXPECT_EQ(cli::nearest_word("jsno", words), "json");
   EXPECT_EQ(cli::nearest_word("tolernce", words), "tolerance");
+  EXPECT_EQ(cli::nearest_word("Zahnrad", {"Welle", "Zahnrad 40 mm", "Lager"}), "Zahnrad 40 mm");
   EXPECT_EQ(cli::nearest_word("keep", words), "");
 }
 
@@ -103,6 +104,7 @@ TEST(Usage, TellsWhereACommandIsThatIsNotHere) {
       {{"mesh", "a.step"}, "there is 'blossom convert': "},
       {{"fuse", "a.step"}, "there is 'blossom trim': "},
       {{"melt", "a.step"}, "there are info, check, "},
+      {{"query", "nearest", "a.step", "--point", "0,0,0"}, "no command 'query nearest'; there is"},
   };
   for (const auto& [words, hint] : rows) {
     const Finished run = blossom(words);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -12,6 +10,7 @@
 #include "core/base/work_limit.h"
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/values.h"
+#include "plugin/cli/commands/meshes/crossings.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/output/output.h"
@@ -21,7 +20,6 @@
 #include "plugin/meshes/mesh_judge.h"
 #include "plugin/meshes/shape_mesh.h"
 #include "plugin/reports/models/mesh.h"
-#include "plugin/reports/models/parts.h"
 #include "plugin/reports/models/repairs.h"
 
 namespace blossom::cli {
@@ -41,43 +39,19 @@ meshes::ShapeMesh meshed(const Input& input, const std::vector<meshes::MeshGroup
   });
 }
 
-// The part of each face that is meant, as clash counts them.
-std::vector<int> parts_of(const Input& input) {
-  std::map<int, int> of_number;
-  int count = 0;
-  for (const reports::NamedPart& part : reports::named_parts(input)) {
-    ++count;
-    for (const int number : reports::faces_of(part).numbers) of_number[number] = count;
-  }
-  std::vector<int> parts;
-  for (const int number : input.numbers) parts.push_back(of_number[number]);
-  return parts;
-}
-
-// What parts do to each other is none of their faults.
-//
-// parts   of the faces that are meant
-void look_for_crossings(const meshes::FileMesh& mesh, const std::vector<int>& face_of,
-                        const std::vector<int>& numbers, const std::vector<int>& parts,
-                        reports::MeshAnswer& answer) {
-  if (mesh.triangles.size() > kMaxJudged) return;
-  const auto judged = meshes::judged_mesh(mesh, stop_if_interrupted);
+// parts   of faces, by their numbers in the model
+void look_for_crossings(const meshes::ShapeMesh& made, const std::vector<int>& numbers,
+                        const std::vector<int>& parts, reports::MeshAnswer& answer) {
+  if (made.mesh.triangles.size() > kMaxJudged) return;
+  const auto judged = meshes::judged_mesh(made.mesh, stop_if_interrupted);
   if (!judged) return;
-  answer.crossings = judged->crossings;
-  std::set<std::array<int, 2>> pairs, of_one;
-  for (const auto& [a, b] : judged->crossing_pairs) {
-    const auto i = static_cast<std::size_t>(face_of[static_cast<std::size_t>(a)]);
-    const auto j = static_cast<std::size_t>(face_of[static_cast<std::size_t>(b)]);
-    const std::array<int, 2> pair{std::min(numbers[i], numbers[j]),
-                                  std::max(numbers[i], numbers[j])};
-    pairs.insert(pair);
-    if (parts[i] == parts[j])
-      of_one.insert(pair);
-    else
-      ++answer.between_parts;
-  }
-  answer.crossing_faces.assign(pairs.begin(), pairs.end());
-  answer.faces_of_one.assign(of_one.begin(), of_one.end());
+  std::vector<int> number_of;
+  for (const int face : made.face_of) number_of.push_back(numbers[static_cast<std::size_t>(face)]);
+  const Crossings crossings = crossings_of(*judged, number_of, parts);
+  answer.crossings = crossings.inside + crossings.between;
+  answer.between_parts = crossings.between;
+  answer.crossing_faces.assign(crossings.faces.begin(), crossings.faces.end());
+  answer.faces_of_one.assign(crossings.faces_inside.begin(), crossings.faces_inside.end());
 }
 
 std::string summary(const std::string& input, const std::string& output,
@@ -125,7 +99,7 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
   const Json repairs = Json::array({reports::repairs_json(input)});
   const std::vector<meshes::MeshGroup> groups = meshes::face_groups(input);
   const std::string others = other_parts_text(input, OtherParts::LeftOut);
-  const std::vector<int> parts = parts_of(input);
+  const std::vector<int> parts = parts_of_faces(input);
   drop_other_faces(input);
   stop_if_interrupted();
   FacetOptions options = conversion.facets;
@@ -137,7 +111,7 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
     return kExitStopped;
   }
   reports::MeshAnswer& answer = made.answer;
-  look_for_crossings(made.mesh, made.face_of, input.numbers, parts, answer);
+  look_for_crossings(made, input.numbers, parts, answer);
   stop_if_interrupted();
   if (meshes::is_glb_file(common.output)) {
     occt::put_on_faces(made.made, input.model.shape());

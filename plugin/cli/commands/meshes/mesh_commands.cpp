@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "core/base/work_limit.h"
 #include "core/bounds/box_tree.h"
 #include "plugin/cli/arguments/inputs.h"
+#include "plugin/cli/commands/meshes/crossings.h"
 #include "plugin/cli/commands/meshes/meshed_input.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/nets/net_input.h"
@@ -34,31 +34,9 @@ constexpr double kFiner = 0.2;
 constexpr std::size_t kNamedPairs = 10;
 constexpr int kDeepRounds = 3;  // of finer triangles, as long as some cross
 
-// Pairs of triangles that cross. What parts do to each other is none of their faults.
-struct Crossings {
-  std::size_t inside = 0, between = 0;   // parts
-  std::set<std::array<int, 2>> faces{};  // inside of parts
-};
-
-Crossings crossings_of(const meshes::JudgedMesh& found, const std::vector<int>& face_of,
-                       const std::vector<std::string>& parts) {
-  Crossings crossings;
-  for (const auto& [a, b] : found.crossing_pairs) {
-    const auto i = static_cast<std::size_t>(face_of[static_cast<std::size_t>(a)]);
-    const auto j = static_cast<std::size_t>(face_of[static_cast<std::size_t>(b)]);
-    if (parts.at(i) != parts.at(j))
-      ++crossings.between;
-    else
-      crossings.faces.insert(
-          {static_cast<int>(std::min(i, j)) + 1, static_cast<int>(std::max(i, j)) + 1});
-  }
-  crossings.inside = found.crossings - crossings.between;
-  return crossings;
-}
-
 DeepCheck deep_answer(const FileMesh& mesh, const meshes::JudgedMesh& found, double distance,
                       const Crossings& crossings, const FaceLabels& labels) {
-  const std::set<std::array<int, 2>>& faces = crossings.faces;
+  const Crossings::Faces& faces = crossings.faces_inside;
   DeepCheck check;
   check.wrong = crossings.inside > 0 || found.turned_sides > 0;
   check.report = {{"triangles", mesh.triangles.size()},
@@ -141,7 +119,7 @@ DeepCheck deep_check(const Input& input) {
   for (const Vec3& p : occt::tessellation(shape, {.deviation = 1e6}).facets.points)
     box = joined(box, {p, p});
   options.deviation = kFirstDeviation * diagonal(box);
-  const std::vector<std::string> parts = input.model.part_paths();
+  const std::vector<int> parts = parts_of_faces(input);
   const FaceLabels labels(input);
   DeepCheck check;
   for (int round = 0; round < kDeepRounds; ++round, options.deviation *= kFiner) {
@@ -150,6 +128,7 @@ DeepCheck deep_check(const Input& input) {
     const FileMesh mesh{made.facets.points, occt::triangles_of(made, &face_of)};
     const auto found = meshes::judged_mesh(mesh, stop_if_interrupted);
     if (!found) throw UsageError("--deep needs CGAL, which this program lacks");
+    for (int& face : face_of) ++face;  // its number
     const Crossings crossings = crossings_of(*found, face_of, parts);
     check = deep_answer(mesh, *found, made.facets.distance, crossings, labels);
     stop_if_interrupted();

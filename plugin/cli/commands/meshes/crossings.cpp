@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/commands/meshes/crossings.h"
+
+#include <algorithm>
+
+#include "plugin/reports/models/parts.h"
+
+namespace blossom::cli {
+
+std::vector<int> parts_of_faces(const Input& input) {
+  std::vector<int> parts(static_cast<std::size_t>(input.model.face_count()));
+  int count = 0;
+  for (const reports::NamedPart& part : reports::named_parts(input)) {
+    ++count;
+    for (const int number : reports::faces_of(part).numbers)
+      parts[static_cast<std::size_t>(number) - 1] = count;
+  }
+  return parts;
+}
+
+Crossings crossings_of(const meshes::JudgedMesh& found, const std::vector<int>& number_of,
+                       const std::vector<int>& parts) {
+  Crossings crossings;
+  const auto part_of = [&](int number) { return parts[static_cast<std::size_t>(number) - 1]; };
+  for (const auto& [a, b] : found.crossing_pairs) {
+    const int i = number_of[static_cast<std::size_t>(a)],
+              j = number_of[static_cast<std::size_t>(b)];
+    const std::array<int, 2> pair{std::min(i, j), std::max(i, j)};
+    crossings.faces.insert(pair);
+    if (part_of(i) != part_of(j)) {
+      ++crossings.between;
+    } else {
+      ++crossings.inside;
+      crossings.faces_inside.insert(pair);
+    }
+  }
+  return crossings;
+}
+
+}  // namespace blossom::cli
