@@ -64,6 +64,13 @@ SharedModel read_file(const std::string& path, bool strict, const Control& contr
   });
 }
 
+// Of a file that is there for the moment: the model is of none.
+SharedModel read_passing(const std::string& path, const std::string& name) {
+  const py::gil_scoped_release released;
+  return std::make_shared<LoadedModel>(name, occt::read_model(path).copy(),
+                                       reports::Repairing::Used);
+}
+
 SharedModel read_bytes(const py::bytes& bytes, const std::string& name) {
   const std::string_view view = bytes;
   const py::gil_scoped_release released;
@@ -181,6 +188,7 @@ void add_model(py::module_& module) {
       .def("swig", [](LoadedModel& m) { return swig_from_shape(in_turn(m, chosen_shape)); })
       .def("write", &write_file, arg("path"), arg("control"));
   module.def("read_file", &read_file, arg("path"), arg("strict"), arg("control"));
+  module.def("read_passing", &read_passing, arg("path"), arg("name"));
   module.def("read_bytes", &read_bytes, arg("brep"), arg("name"));
   module.def("from_swig", &from_swig, arg("shape"), arg("name"));
 }

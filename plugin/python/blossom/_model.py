@@ -92,7 +92,7 @@ class Model(Operations):
         return f"<blossom.Model: {self.name}, {count} face{'' if count == 1 else 's'}>"
 
     def __reduce__(self) -> Any:
-        return (_from_brep, (self.name, self.to_brep()))
+        return (_unpacked, (_shapes.packed(self._core), self.name))
 
     def face(self, number: Union[int, str]) -> "Model":
         """One face, by its number from 1 on, which it keeps; or "Face3"."""
@@ -283,8 +283,8 @@ class Model(Operations):
         return self.mass().area
 
 
-def _from_brep(name: str, brep: bytes) -> Model:
-    return Model(_core.read_bytes(brep, name))
+def _unpacked(packed: _shapes.Packed, name: str) -> Model:
+    return Model(_shapes.unpacked(packed, name))
 
 
 def model_of(shape: Any, name: str) -> Model:

@@ -153,7 +153,7 @@ class Result(MadeShape):
         return {
             "report": self._told(),
             "records": self._made(),
-            "brep": None if model is None else model.brep(),
+            "model": None if model is None else _shapes.packed(model),
         }
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
@@ -161,8 +161,8 @@ class Result(MadeShape):
         self._lists = {}
         self._report = state["report"]
         self._records = state["records"]
-        brep = state["brep"]
-        self._model = None if brep is None else _core.read_bytes(brep, "unpickled")
+        made = state["model"]
+        self._model = None if made is None else _shapes.unpacked(made, "unpickled")
 
     def _items(self) -> List[Any]:
         """What the answer is a list of."""

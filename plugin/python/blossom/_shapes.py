@@ -5,6 +5,7 @@ import functools
 import importlib
 import io
 import os
+import pathlib
 import re
 import sys
 import tempfile
@@ -94,6 +95,29 @@ def part_named(model: _core.Model, words: str, name: str, called: str) -> _core.
         else:
             faces += _checks.chosen_faces(word, name, model.face_count)
     return model.part(sorted(set(faces)), names, called)
+
+
+Packed = Tuple[str, bytes]
+
+
+def packed(model: _core.Model) -> Packed:
+    """Bytes for another process: BRep, which is the same to the last bit but has no names, or STEP."""
+    if not any(model.part_paths()) and not any(model.face_names()):
+        return "brep", model.brep()
+    with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
+        file = pathlib.Path(folder, "model.step")
+        model.write(str(file), _checks.control({}))
+        return "step", file.read_bytes()
+
+
+def unpacked(made: Packed, name: str) -> _core.Model:
+    kind, data = made
+    if kind == "brep":
+        return _core.read_bytes(data, name)
+    with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
+        file = pathlib.Path(folder, "model.step")
+        file.write_bytes(data)
+        return _core.read_passing(str(file), name)
 
 
 def net_model(net: Any, name: str) -> _core.Model:

@@ -398,8 +398,23 @@ class Pickles(unittest.TestCase):
         np.testing.assert_array_equal(again.curves[0].poles, found.curves[0].poles)
         self.assertIn(b"CASCADE Topology", again.to_brep())
 
-    def test_models_travel(self):
-        self.assertEqual(len(pickle.loads(pickle.dumps(blossom.read(BLOCK)))), 6)
+    def test_models_travel_with_names_and_assembly(self):
+        with tempfile.TemporaryDirectory() as folder:
+            blossom.solid("split", BLOCK, DRILL).to_step(f"{folder}/rig.step")
+            rig = blossom.read(f"{folder}/rig.step")
+        part = rig.part(rig.part_paths[0])
+        for model in (blossom.read(BLOCK), rig, part, blossom.shape(WALL)):
+            again = pickle.loads(pickle.dumps(model))
+            self.assertEqual(repr(again), repr(model))
+            self.assertAlmostEqual(again.volume, model.volume, 9)
+        again = pickle.loads(pickle.dumps(rig))
+        self.assertEqual((again.part_paths, again.face_names), (rig.part_paths, rig.face_names))
+        self.assertIsNone(again.file)
+        for ours, theirs in zip(again.info(faces=True)["faces"], rig.info(faces=True)["faces"]):
+            self.assertEqual(ours.get("colour"), theirs.get("colour"))
+        self.assertEqual(set(pickle.loads(pickle.dumps(part)).part_paths), {rig.part_paths[0]})
+        made = pickle.loads(pickle.dumps(blossom.read(BLOCK).solid("cut", DRILL)))
+        self.assertEqual(set(made.model.part_paths), {"Block"})
 
 
 class Ending(unittest.TestCase):
@@ -447,7 +462,7 @@ class Ending(unittest.TestCase):
 
             def ask():
                 while not done.is_set():
-                    model.face_names, model.part_paths, model.numbers, model.to_brep()
+                    model.face_names, model.part_paths, model.face_numbers, model.to_brep()
             asking = threading.Thread(target=ask)
             asking.start()
             try:
