@@ -184,6 +184,7 @@ std::optional<ChangedRadius> radius_to_change(Filleting& work,
 void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
                  const FilletOptions& options, FilletRefusal& why) {
   if (!options.largest || options.section.kind != SectionKind::Circle || why.largest) return;
+  if (why.fault == FilletFault::Setback) return;  // says itself what it has to be
   std::optional<std::size_t> at_fault;
   for (std::size_t i = 0; i < chains.size(); ++i)
     if (chains[i].count(why.edge) > 0) at_fault = i;

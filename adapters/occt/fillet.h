@@ -30,6 +30,7 @@ enum class FilletFault {
   EdgeConsumed,  ///< more of an edge would go than there is
   End,           ///< how the strip ends is not known how to build
   Corner,        ///< likewise of filleted edges that meet
+  Setback,       ///< it is less than the strips that meet there take, or more than the edge has
   Interference,  ///< the strip runs into another face
   Result         ///< what came out is no valid solid
 };

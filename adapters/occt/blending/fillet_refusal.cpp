@@ -17,6 +17,7 @@ const char* to_string(FilletFault fault) {
     case FilletFault::EdgeConsumed: return "edge consumed";
     case FilletFault::End: return "end";
     case FilletFault::Corner: return "corner";
+    case FilletFault::Setback: return "setback";
     case FilletFault::Interference: return "interference";
     case FilletFault::Result: break;
   }

@@ -177,6 +177,16 @@ TEST(FilletCorner, IsSetBackAsFarAsIsAskedFor) {
   const FilletResult far = fillet(shape, edges, {.radius = 1, .setback = 6});
   ASSERT_EQ(far.refused.size(), 1U);
   EXPECT_NE(far.refused.front().cause.find("more than half"), std::string::npos);
+  // What it has to be is told; radii have no part in that.
+  const double whole =
+      edge_facts(shape)[static_cast<std::size_t>(far.refused.front().edge) - 1].length;
+  EXPECT_NE(far.refused.front().cause.find("less than " + std::to_string(whole / 2)),
+            std::string::npos);
+  for (const FilletResult* made_so : {&near, &far}) {
+    EXPECT_EQ(made_so->refused.front().fault, FilletFault::Setback);
+    EXPECT_EQ(made_so->refused.front().text().find("radi"), std::string::npos)
+        << made_so->refused.front().text();
+  }
   for (const double wrong : {0.0, -1.0})
     EXPECT_THROW(fillet(shape, edges, {.setback = wrong}), InvalidInput);
 }

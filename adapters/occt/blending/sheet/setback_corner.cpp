@@ -119,11 +119,13 @@ double BlendSheet::wanted_setback_t(const DirectedEdge& half, double stop, doubl
   const double t = end_t(half) + inwards * *setback_ / speed;
   const double least = inwards * (stop - end_t(half)) * speed + kLeastRoom * width;
   if (*setback_ < least)
-    refuse(half, FilletFault::Corner,
+    refuse(half, FilletFault::Setback,
            "the setback is too small for the strips that meet there, it has to be " +
                std::to_string(least) + " at least");
-  if (inwards * (of.inside - t) <= 0)
-    refuse(half, FilletFault::EdgeConsumed, "the setback is more than half of the edge");
+  if (const double room = inwards * (of.inside - end_t(half)) * speed; *setback_ >= room)
+    refuse(half, FilletFault::Setback,
+           "the setback is more than half of the edge, it has to be less than " +
+               std::to_string(room));
   return t;
 }
 
