@@ -125,13 +125,13 @@ bool is_whole(const Input& part) {
   return static_cast<int>(part.numbers.size()) == part.model.face_count();
 }
 
-void add_between(std::pair<int, int> faces, const std::vector<occt::EdgeFacts>& facts,
-                 std::set<int>& edges) {
+void add_between(const Input& part, std::pair<int, int> faces,
+                 const std::vector<occt::EdgeFacts>& facts, std::set<int>& edges) {
   const std::vector<int> common = edges_between(facts, faces.first, faces.second);
   if (common.empty())
-    throw InvalidInput("faces " + std::to_string(std::min(faces.first, faces.second)) + " and " +
-                       std::to_string(std::max(faces.first, faces.second)) +
-                       " have no edge in common");
+    throw InvalidInput(
+        part.name + ": faces " + std::to_string(std::min(faces.first, faces.second)) + " and " +
+        std::to_string(std::max(faces.first, faces.second)) + " have no edge in common");
   edges.insert(common.begin(), common.end());
 }
 
@@ -154,7 +154,7 @@ std::vector<int> edges_asked(const EdgeWish& wish, const Input& part, std::strin
       const std::set<int> own = edge_numbers(part);
       std::erase_if(facts, [&](const occt::EdgeFacts& edge) { return !own.contains(edge.number); });
     }
-    if (wish.between) add_between(*wish.between, facts, edges);
+    if (wish.between) add_between(part, *wish.between, facts, edges);
     if (wish.kind == "all") note = left_out(facts);
     if (!wish.kind.empty())
       for (const int edge : edges_to_round(facts, wish.kind)) edges.insert(edge);
