@@ -182,6 +182,13 @@ Input read_input(const std::string& text, Faces need, reports::Repairing repair,
     throw occt::BadModel(name.file.string() +
                          ": is of triangles, which check, intersect, query plane, query distance, "
                          "blend fill and convert take alone");
+  const bool is_written_only =
+      (meshes::is_written_mesh_file(name.file) || meshes::is_glb_file(name.file)) &&
+      !meshes::is_mesh_file(name.file);
+  if (is_written_only && cli::exists(name.file))
+    throw occt::BadModel(name.file.string() +
+                         ": .3mf and .glb are written only; triangles are read from .stl, .ply, "
+                         ".obj and .off");
   const std::shared_ptr<occt::Model> model = model_of(name.file);
   Input input{text, model, *model};
   if (loose == reports::LooseFaces::Sewn || !name.words.empty() || reading_policy().sew)

@@ -26,9 +26,9 @@ Json parsed(const std::string& line, const std::string& place) {
     refuse(place,
            "lists in it are nested more than " + std::to_string(reports::kMaxNesting) + " deep");
   Json json = Json::parse(line, nullptr, false);
-  if (json.is_discarded()) refuse(place, "is no JSON");
-  if (!json.is_object())
-    refuse(place, R"(is no job: {"id": "name", "arguments": ["info", "a.step"]})");
+  constexpr const char* kExample = R"({"id": "name", "arguments": ["info", "a.step"]})";
+  if (json.is_discarded()) refuse(place, std::string("is no JSON, as a job is: ") + kExample);
+  if (!json.is_object()) refuse(place, std::string("is no job: ") + kExample);
   for (const auto& [name, value] : json.items())
     if (name != "id" && name != "arguments")
       refuse(place, "'" + name + "' is no member of a job; it has \"id\" and \"arguments\"");

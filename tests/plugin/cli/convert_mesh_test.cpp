@@ -198,6 +198,16 @@ TEST_F(ConvertMesh, SaysWhichFacesCross) {
             std::string::npos);
 }
 
+TEST_F(ConvertMesh, SaysThatSomeFilesAreWrittenOnly) {
+  write(BRepPrimAPI_MakeBox(1, 1, 1), "box.brep");
+  for (const char* name : {"a.3mf", "a.glb"}) {
+    ASSERT_EQ(run("box.brep", name).code, 0);
+    const Finished read = blossom({"info", path(name)});
+    EXPECT_EQ(read.code, 2);
+    EXPECT_NE(read.err.find(".3mf and .glb are written only"), std::string::npos) << read.err;
+  }
+}
+
 TEST_F(ConvertMesh, RefusesFormsOfSurfaces) {
   write(BRepPrimAPI_MakeBox(1, 1, 1), "box.brep");
   EXPECT_EQ(run("box.brep", "a.stl", {"--to", "bezier"}).code, 2);
