@@ -21,6 +21,7 @@
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/limits.h"
+#include "adapters/occt/blending/sheet/face_borders.h"
 #include "adapters/occt/blending/sheet/wire_nesting.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/splitting/edge_images.h"
@@ -133,36 +134,10 @@ TopoDS_Face face_with(const Wires& wires, const TopoDS_Face& of) {
   return face;
 }
 
-// The border of a face on its way to a new one.
-struct Border {
-  TopoDS_Face of;  // forward
-  Wires wires;
-  int from = 0, edge = 0;
-  TopAbs_Orientation orientation = TopAbs_FORWARD;
-};
-
-Vec3 middle_of(const TopoDS_Edge& edge) {
-  Interval range;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
-  const gp_Pnt p = curve->Value(at(range, 0.5));
-  return {p.X(), p.Y(), p.Z()};
-}
-
-// Whether one edge runs along the other from end to end.
-bool run_along(const TopoDS_Edge& a, const TopoDS_Edge& b, double tolerance) {
-  Interval range;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(b, range.from, range.to);
-  const double reach = std::max({tolerance, BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b)});
-  const Vec3 point = middle_of(a);
-  const gp_Pnt foot = curve->Value(nearest_on(curve, range, point));
-  return distance(point, {foot.X(), foot.Y(), foot.Z()}) <= reach;
-}
-
 TopoDS_Edge turned(const TopoDS_Edge& edge, bool reversed) {
   return reversed ? TopoDS::Edge(edge.Reversed()) : edge;
 }
 
-// A face of the sheet is what is left where a face of the body shrinks to a line.
 class Trimming {
  public:
   Trimming(const BodyEdges& body, BlendSheet& sheet, double tolerance)
@@ -177,16 +152,16 @@ class Trimming {
  private:
   std::set<int> touched_faces() const;
   std::vector<TopoDS_Edge> edges_left(int face);
-  void add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& face, const Vec2& scale,
+  void add_border(std::vector<TopoDS_Edge> edges, const TopoDS_Face& face, const Vec2& scale,
                   int from, int edge);
-  bool collapse_one();
-  void replace(const TopoDS_Edge& lost, const TopoDS_Edge& kept);
+  void add_faces(const FaceBorder& border, std::vector<TrimmedFace>& all) const;
 
   const BodyEdges& body_;
   BlendSheet& sheet_;
   double tolerance_;
   std::map<int, std::vector<EdgePiece>> kept_;
-  std::vector<Border> borders_;
+  std::vector<FaceBorder> borders_;
+  std::vector<ReplacedEdge> replaced_;
 };
 
 // The faces that get edges, or of whose edges something goes.
@@ -221,61 +196,29 @@ std::vector<TopoDS_Edge> Trimming::edges_left(int face) {
   return edges;
 }
 
-void Trimming::add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& face,
+void Trimming::add_border(std::vector<TopoDS_Edge> edges, const TopoDS_Face& face,
                           const Vec2& scale, int from, int edge) {
-  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-  auto wires = wires_of(edges, forward, scale);
+  borders_.push_back({TopoDS::Face(face.Oriented(TopAbs_FORWARD)), std::move(edges), scale, from,
+                      edge, face.Orientation()});
+}
+
+// What a border encloses: a face, several, or none.
+void Trimming::add_faces(const FaceBorder& border, std::vector<TrimmedFace>& all) const {
+  const auto wires = wires_of(border.edges, border.of, border.scale);
   if (!wires)
     throw FilletRefused(
         {FilletFault::Result,
-         edge,
-         from > 0 ? "what is left of face " + std::to_string(from) +
-                        " has an open border: the ends of blends at it do not fit together"
-                  : std::string("its strip has an open border: its ends do not fit together"),
+         border.edge,
+         border.from > 0
+             ? "what is left of face " + std::to_string(border.from) +
+                   " has an open border: the ends of blends at it do not fit together"
+             : std::string("its strip has an open border: its ends do not fit together"),
          {},
          {},
          {}});
-  for (Wires& each : nested(*wires, forward))
-    borders_.push_back({forward, std::move(each), from, edge, face.Orientation()});
-}
-
-// Puts an edge in the place of another one that runs along it.
-void Trimming::replace(const TopoDS_Edge& lost, const TopoDS_Edge& kept) {
-  const bool reversed = !TopExp::FirstVertex(lost).IsSame(TopExp::FirstVertex(kept));
-  for (Border& border : borders_)
-    for (auto& wire : border.wires)
-      for (TopoDS_Edge& edge : wire) {
-        if (!edge.IsSame(lost)) continue;
-        if (!keeps_chart_curve(kept, border.of)) {
-          Interval range, own;
-          const Handle(Geom_Curve) curve = BRep_Tool::Curve(kept, range.from, range.to);
-          const Handle(Geom2d_Curve) chart = chart_curve_of(edge, border.of, own);
-          const gp_Pnt2d near = chart->Value(at(own, 0.5));
-          const SurfaceProjector feet(border.of, Precision::Confusion());
-          add_chart(
-              kept,
-              image_of(curve, range, feet, Vec2{near.X(), near.Y()}, kSamePlace * tolerance_).chart,
-              border.of);
-        }
-        const bool forward = (edge.Orientation() == TopAbs_FORWARD) != reversed;
-        edge = TopoDS::Edge(kept.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED));
-      }
-}
-
-// Takes out a face that is only two edges which run along each other; they become one.
-bool Trimming::collapse_one() {
-  for (std::size_t i = 0; i < borders_.size(); ++i) {
-    const Wires& wires = borders_[i].wires;
-    if (wires.size() != 1 || wires.front().size() != 2) continue;
-    TopoDS_Edge kept = wires.front()[0], lost = wires.front()[1];
-    if (kept.IsSame(lost) || !run_along(kept, lost, tolerance_)) continue;
-    if (body_.number(lost) > 0) std::swap(kept, lost);
-    const TopoDS_Edge forward = TopoDS::Edge(kept.Oriented(TopAbs_FORWARD));
-    borders_.erase(borders_.begin() + static_cast<std::ptrdiff_t>(i));
-    replace(TopoDS::Edge(lost.Oriented(TopAbs_FORWARD)), forward);
-    return true;
-  }
-  return false;
+  const TopoDS_Face of = TopoDS::Face(border.of.Oriented(border.orientation));
+  for (const Wires& each : nested(*wires, border.of))
+    if (!each.empty()) all.push_back({face_with(each, of), border.from, border.edge});
 }
 
 std::vector<TrimmedFace> Trimming::faces() {
@@ -287,17 +230,12 @@ std::vector<TrimmedFace> Trimming::faces() {
     const bool reversed = patch.face.Orientation() == TopAbs_REVERSED;
     std::vector<TopoDS_Edge> edges;
     for (const TopoDS_Edge& edge : patch.edges) edges.push_back(turned(edge, reversed));
-    add_border(edges, patch.face, {1, 1}, 0, patch.edge);
+    add_border(std::move(edges), patch.face, {1, 1}, 0, patch.edge);
   }
-  while (collapse_one()) {
-  }
+  replaced_ = close_slivers(borders_, body_, tolerance_);
   for (int number = 1; number <= body_.face_count(); ++number)
     if (touched.count(number) == 0) all.push_back({body_.face(number), number, 0});
-  for (const Border& border : borders_) {
-    if (border.wires.empty()) continue;
-    const TopoDS_Face of = TopoDS::Face(border.of.Oriented(border.orientation));
-    all.push_back({face_with(border.wires, of), border.from, border.edge});
-  }
+  for (const FaceBorder& border : borders_) add_faces(border, all);
   return all;
 }
 
@@ -306,6 +244,16 @@ std::map<int, std::vector<TopoDS_Edge>> Trimming::edges() const {
   for (const auto& [edge, pieces] : kept_) {
     std::vector<TopoDS_Edge>& of = left[edge];
     for (const EdgePiece& piece : pieces) of.push_back(piece.edge);
+  }
+  for (const ReplacedEdge& each : replaced_) {
+    if (const int number = body_.number(each.lost); number > 0)
+      left.try_emplace(number, std::vector{each.lost});
+    for (auto& [edge, pieces] : left)
+      for (std::size_t i = pieces.size(); i-- > 0;) {
+        if (!pieces[i].IsSame(each.lost)) continue;
+        pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
+        pieces.insert(pieces.end(), each.now.begin(), each.now.end());
+      }
   }
   return left;
 }

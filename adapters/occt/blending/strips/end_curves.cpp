@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -68,12 +69,16 @@ std::vector<PlanarCurve> contact_copies(const BodyEdges& body, const RolledStrip
   return all;
 }
 
+// runs   where a contact runs along the edge, added
 std::vector<PlanarCrossing> meetings(const std::vector<PlanarCurve>& contacts,
-                                     const EdgeUseInFace& use) {
+                                     const EdgeUseInFace& use,
+                                     std::vector<Interval>* runs = nullptr) {
   const double tolerance = std::max(Precision::Confusion(), use.coedge->tolerance);
   std::vector<PlanarCrossing> all;
   for (const PlanarCurve& contact : contacts) {
     const PlanarCrossings found = crossings(contact, use.coedge->curve, tolerance);
+    if (runs != nullptr)
+      for (const PlanarOverlap& run : found.overlaps) runs->push_back(run.a);
     // Where they run along each other neither goes over the other.
     std::ranges::copy_if(found.points, std::back_inserter(all), [&](const PlanarCrossing& each) {
       return std::ranges::none_of(found.overlaps, [&](const PlanarOverlap& run) {
@@ -227,17 +232,81 @@ double crossing_rate(const BodyEdges& body, const RolledStrip& strip, std::size_
 
 }  // namespace
 
-bool lies_inside(const BodyEdges& body, const RolledContact& contact, double t) {
-  const FaceTrims& trims = body.trims(contact.face);
+namespace {
+
+// Whether any of the places of a contact's point in a chart, whole periods apart, is as wanted.
+bool any_place(const FaceTrims& trims, const RolledContact& contact, double t,
+               const std::function<bool(const Vec2&)>& is_wanted) {
   const gp_Pnt2d uv = contact.chart->Value(t);
   const Vec2 point{uv.X() * trims.scale[0], uv.Y() * trims.scale[1]};
   return std::ranges::any_of(period_shifts(trims, planar_line(point, point, {0, 1})),
-                             [&](const Vec2& shift) { return is_inside(trims, point + shift); });
+                             [&](const Vec2& shift) { return is_wanted(point + shift); });
 }
+
+}  // namespace
+
+bool lies_inside(const BodyEdges& body, const RolledContact& contact, double t) {
+  const FaceTrims& trims = body.trims(contact.face);
+  return any_place(trims, contact, t, [&](const Vec2& at) { return is_inside(trims, at); });
+}
+
+bool lies_on(const BodyEdges& body, const RolledContact& contact, double t) {
+  const auto is_on_border = [&](const Vec2& at) {
+    return std::ranges::any_of(body.uses(contact.face), [&](const EdgeUseInFace& use) {
+      return nearest(use.coedge->curve, at).distance <=
+             std::max(Precision::Confusion(), use.coedge->tolerance);
+    });
+  };
+  return lies_inside(body, contact, t) ||
+         any_place(body.trims(contact.face), contact, t, is_on_border);
+}
+
+namespace {
+
+// Runs along edges that follow each other are one.
+std::vector<Interval> joined(std::vector<Interval> runs, double room) {
+  std::ranges::sort(runs, {}, &Interval::from);
+  std::vector<Interval> made;
+  for (const Interval& run : runs)
+    if (!made.empty() && run.from <= made.back().to + room)
+      made.back().to = std::max(made.back().to, run.to);
+    else
+      made.push_back(run);
+  return made;
+}
+
+// Where a contact runs along the border of its face it goes over none, and at the ends of such a
+// run it does so only where it leaves the face on the other side of it, or comes into it. A seam
+// that ends in the border it goes over all the same.
+void keep_ways_out(const BodyEdges& body, const RolledStrip& strip, const RolledContact& contact,
+                   const Interval& run, std::vector<ContactCrossing>& all) {
+  const auto room = [&](const ContactCrossing& each) {
+    const double speed = contact.curve->DN(each.t, 1).Magnitude();
+    return kSamePlace * std::max(Precision::Confusion(), each.use->coedge->tolerance) / speed;
+  };
+  Interval before{strip.range.from, run.from}, after{run.to, strip.range.to};
+  for (const ContactCrossing& each : all) {
+    if (each.t < run.from - room(each)) before.from = each.t;
+    if (each.t > run.to + room(each)) after.to = std::min(after.to, each.t);
+  }
+  const auto is_outside = [&](const Interval& beside) {
+    return length(beside) > 0 && !lies_inside(body, contact, at(beside, 0.5));
+  };
+  const bool comes = is_outside(before), leaves = is_outside(after);
+  std::erase_if(all, [&](const ContactCrossing& each) {
+    const double near = room(each);
+    if (body.behind(*each.use).face == each.use->face) return false;
+    if (each.t < run.from - near || each.t > run.to + near) return false;
+    return !(comes && each.t <= run.from + near) && !(leaves && each.t >= run.to - near);
+  });
+}
+
+}  // namespace
 
 std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
                                                std::size_t side, const std::set<int>& left_out) {
   std::vector<ContactCrossing> all;
+  std::vector<Interval> runs;
   const std::vector<PlanarCurve> contacts =
       contact_copies(body, strip, side, strip.contacts[side].face);
   for (const EdgeUseInFace& use : body.uses(strip.contacts[side].face)) {
@@ -246,7 +315,7 @@ std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const Roll
     // The face lies to the left of the first contact of a strip and to the right of the second,
     // seen from outside.
     const bool reversed = body.face(use.face).Orientation() == TopAbs_REVERSED;
-    for (const PlanarCrossing& each : meetings(contacts, use)) {
+    for (const PlanarCrossing& each : meetings(contacts, use, &runs)) {
       const bool to_left = crossing_rate(body, strip, side, use, each) > 0;
       all.push_back({each.a, &use, each.b, ((side == 0) != reversed) == to_left,
                      to_left != use.coedge->reversed});
@@ -254,6 +323,8 @@ std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const Roll
   }
   std::sort(all.begin(), all.end(),
             [](const ContactCrossing& a, const ContactCrossing& b) { return a.t < b.t; });
+  for (const Interval& run : joined(std::move(runs), kRunEnd * length(strip.range)))
+    keep_ways_out(body, strip, strip.contacts[side], run, all);
   return all;
 }
 

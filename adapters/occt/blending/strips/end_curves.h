@@ -35,6 +35,9 @@ std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledSt
 /// Whether a contact at a parameter lies inside of its face.
 bool lies_inside(const BodyEdges& body, const RolledContact& contact, double t);
 
+/// Whether it lies there, or on the border.
+bool lies_on(const BodyEdges& body, const RolledContact& contact, double t);
+
 /// Where a contact goes over an edge of its face.
 struct ContactCrossing {
   double t = 0;  ///< of the strip
@@ -44,7 +47,8 @@ struct ContactCrossing {
   bool leaves = true;      ///< the face, as t grows
 };
 
-/// All crossings of a contact with the edges of its face but those left out, by t.
+/// All crossings of a contact with the edges of its face but those left out, by t. Where it runs
+/// along the border it goes over none, unless it leaves the face at an end of that.
 std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
                                                std::size_t side, const std::set<int>& left_out);
 

@@ -20,7 +20,7 @@ namespace blossom::occt {
 // Whether the ball touches both faces where they are, beside the middle of the strip's edge.
 bool BallWalker::goes_beside(const WalkedStrip& of) const {
   return std::ranges::all_of(of.strip.contacts, [&](const RolledContact& contact) {
-    return lies_inside(body_, contact, of.inside);
+    return lies_on(body_, contact, of.inside);
   });
 }
 
@@ -62,7 +62,7 @@ std::optional<double> BallWalker::place_between(const WalkedStrip& of) const {
     if (nearest && std::abs(t - of.inside) >= std::abs(*nearest - of.inside)) continue;
     const bool beside = t > strip.edge_range.from && t < strip.edge_range.to;
     if ((beside || aside) && std::ranges::all_of(strip.contacts, [&](const RolledContact& each) {
-          return lies_inside(body_, each, t);
+          return lies_on(body_, each, t);
         }))
       nearest = t;
   }

@@ -58,6 +58,8 @@ void widen(const TopoDS_Edge& piece) {
   }
 }
 
+}  // namespace
+
 TopoDS_Edge piece_of(const TopoDS_Edge& edge, const Interval& range, const TopoDS_Vertex& from,
                      const TopoDS_Vertex& to) {
   const BRep_Builder builder;
@@ -71,8 +73,6 @@ TopoDS_Edge piece_of(const TopoDS_Edge& edge, const Interval& range, const TopoD
   widen(piece);
   return piece;
 }
-
-}  // namespace
 
 double image_deviation(const TopoDS_Edge& edge, int samples) {
   Interval range;

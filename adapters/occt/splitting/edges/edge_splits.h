@@ -31,6 +31,10 @@ struct EdgePiece {
 /// units.
 double image_deviation(const TopoDS_Edge& edge, int samples);
 
+/// A forward edge on a part of another one between two vertices, with its curves.
+TopoDS_Edge piece_of(const TopoDS_Edge& edge, const Interval& range, const TopoDS_Vertex& from,
+                     const TopoDS_Vertex& to);
+
 class EdgeSplits {
  public:
   /// Numbers of an edge's own vertices among its splits; new ones follow.

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Fillets of walls: with radii of their thickness or half of it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <gp_Ax2.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
+#include "adapters/occt/mass.h"
+#include "tests/adapters/occt/fillet_checks.h"
+
+namespace blossom::occt {
+namespace {
+
+using testing::expect_sound;
+
+// Of the area beside a circle of radius 1 in the corner of its square.
+constexpr double kBeside = 1 - std::numbers::pi / 4;
+
+double volume_of(const TopoDS_Shape& shape) { return mass_of(shape).volume; }
+
+TopoDS_Shape solid_of(const TopoDS_Shape& made) {
+  return TopExp_Explorer(made, TopAbs_SOLID).Current();
+}
+
+// The edges whose ends and middle are all at a height.
+std::vector<int> edges_at_height(const TopoDS_Shape& shape, double z) {
+  std::vector<int> found;
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  for (const EdgeFacts& each : edge_facts(shape)) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges(each.number));
+    const double first = BRep_Tool::Pnt(TopExp::FirstVertex(edge)).Z(),
+                 last = BRep_Tool::Pnt(TopExp::LastVertex(edge)).Z();
+    if (std::max({std::abs(each.middle[2] - z), std::abs(first - z), std::abs(last - z)}) < 1e-9)
+      found.push_back(each.number);
+  }
+  return found;
+}
+
+TEST(FilletOfAWall, OfHalfItsThicknessRoundsTheRimOfATray) {
+  const TopoDS_Shape inside = BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 2), 38, 28, 20).Shape();
+  const TopoDS_Shape tray =
+      solid_of(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40, 30, 20).Shape(), inside));
+  const FilletResult made = fillet(tray, edges_at_height(tray, 20), {.radius = 0.5});
+  expect_sound(made);
+  // Strips meet in mitres: as much is taken at any distance from the middle of the wall as along a
+  // rectangle there, and these are as long as the middle one on an average.
+  const double middle = 2 * (39 + 29), across = 2 * kBeside * 0.25;
+  EXPECT_NEAR(made.solids.front().volume, volume_of(tray) - middle * across, 1e-7);
+}
+
+// The contacts begin in different places of one circle.
+TEST(FilletOfAWall, OfHalfItsThicknessRoundsTheEndOfATube) {
+  const gp_Ax2 turned({0, 0, -1}, {0, 0, 1}, {0.3, 1, 0});
+  const TopoDS_Shape inside = BRepPrimAPI_MakeCylinder(turned, 8, 30);
+  const TopoDS_Shape tube =
+      solid_of(BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(10, 20).Shape(), inside));
+  const FilletResult made = fillet(tube, edges_at_height(tube, 20), {.radius = 1});
+  expect_sound(made);
+  EXPECT_NEAR(made.solids.front().volume, volume_of(tube) - 2 * std::numbers::pi * 9 * 2 * kBeside,
+              1e-7);
+}
+
+TopoDS_Shape angle(double thickness) {
+  BRepBuilderAPI_MakePolygon outline;
+  const double t = thickness;
+  for (const gp_Pnt& each : {gp_Pnt(0, 0, 0), gp_Pnt(28, 0, 0), gp_Pnt(28, t, 0), gp_Pnt(t, t, 0),
+                             gp_Pnt(t, 25, 0), gp_Pnt(0, 25, 0)})
+    outline.Add(each);
+  outline.Close();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 30));
+}
+
+// Its contact on the end of the angle runs along the edge of the inner side, and goes on from the
+// inner corner to the other wall.
+TEST(FilletOfAWall, AsLargeAsItIsThickGoesAlongItsFarEdge) {
+  const TopoDS_Shape shape = angle(4);
+  for (const EdgeFacts& each : edge_facts(shape)) {
+    if (distance(each.middle, Vec3{0, 12.5, 30}) > 1e-9) continue;
+    const FilletResult made = fillet(shape, {each.number}, {.radius = 4});
+    expect_sound(made);
+    EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+    EXPECT_NEAR(made.solids.front().volume, volume_of(shape) - kBeside * 16 * 25, 1e-7);
+    return;
+  }
+  FAIL() << "no such edge";
+}
+
+}  // namespace
+}  // namespace blossom::occt
