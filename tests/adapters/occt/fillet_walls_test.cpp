@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Fillets of walls: with radii of their thickness or half of it.
+// Fillets of walls: with radii of their thickness or half of it, and of walls with draft.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,12 +8,15 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -98,6 +101,53 @@ TEST(FilletOfAWall, AsLargeAsItIsThickGoesAlongItsFarEdge) {
     expect_sound(made);
     EXPECT_TRUE(made.notes.empty()) << made.notes.front();
     EXPECT_NEAR(made.solids.front().volume, volume_of(shape) - kBeside * 16 * 25, 1e-7);
+    return;
+  }
+  FAIL() << "no such edge";
+}
+
+// A ruled loft between two rectangles, on a plate: its walls are splines, though flat.
+TopoDS_Shape drafted_boss() {
+  BRepOffsetAPI_ThruSections loft(Standard_True, Standard_True);
+  for (const auto& [z, inset] : {std::pair{0.0, 0.0}, std::pair{10.0, 1.0}}) {
+    BRepBuilderAPI_MakePolygon outline;
+    const double a = inset, x = 20 - inset, y = 14 - inset;
+    for (const gp_Pnt& each : {gp_Pnt(a, a, z), gp_Pnt(x, a, z), gp_Pnt(x, y, z), gp_Pnt(a, y, z)})
+      outline.Add(each);
+    outline.Close();
+    loft.AddWire(outline.Wire());
+  }
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -5), 40, 34, 5).Shape();
+  return solid_of(BRepAlgoAPI_Fuse(plate, loft.Shape()));
+}
+
+bool is_spline(const TopoDS_Face& face) {
+  return BRep_Tool::Surface(face)->IsKind(STANDARD_TYPE(Geom_BSplineSurface));
+}
+
+// A foot of radius 2 along one of the walls: the ones beside it grow to its contact.
+TEST(FilletOfAWall, WithDraftEndsInTheWallsBesideItAsBetweenPlanes) {
+  const TopoDS_Shape shape = drafted_boss();
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  for (const EdgeFacts& each : edge_facts(shape)) {
+    if (distance(each.middle, Vec3{10, 0, 0}) > 1e-9) continue;
+    const FilletResult made = fillet(shape, {each.number}, {.radius = 2});
+    expect_sound(made);
+    EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+    // The section is that of two planes which the ball turns between, less its sector. It grows
+    // shorter as the walls beside it lean, by the height of its centre of gravity.
+    const double r = 2, slope = 0.1, lean = std::atan(slope),
+                 half = (std::numbers::pi / 2 - lean) / 2;
+    const double leg = r * std::tan(half), kite = r * leg, sector = r * r * half;
+    const double kite_z = (2 * r + leg * std::cos(lean)) / 6;
+    const double sector_z = r - 2 * r * std::sin(half) / (3 * half) * std::cos(half);
+    const double taken = 20 * (kite - sector) - 2 * slope * (kite * kite_z - sector * sector_z);
+    EXPECT_NEAR(made.solids.front().volume - volume_of(shape), taken, 1e-6);
+    int splines = 0;
+    for (const FilletFace& face : made.solids.front().faces)
+      if (face.from > 0 && is_spline(face.face)) ++splines;
+    EXPECT_EQ(splines, 1) << "the wall that has no part in it stays as it was";
     return;
   }
   FAIL() << "no such edge";

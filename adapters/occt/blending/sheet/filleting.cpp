@@ -173,6 +173,7 @@ FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<Trimmed
     if (measured) volume = cone_over(is_kept(each) ? face_given(each.from) : each.face);
     bounding.push_back({each.face, volume});
     if (options_.volumes) made.volume += volume;
+    if (is_kept(each)) unflatten(each.face, face_given(each.from));
     made.faces.push_back({each.face, each.from, each.edge});
   }
   std::string obstacle;
@@ -386,7 +387,7 @@ void Filleting::set_size(double size) {
 void Filleting::renew_body() {
   if (!std::exchange(is_used_, false)) return;
   rolled_.reset();  // it points into the body
-  body_ = BodyEdges(own_copy(given_));
+  body_ = BodyEdges(flat_copy(given_));
 }
 
 void Filleting::roll(const FilletEdges& edges, double size) {

@@ -52,7 +52,7 @@ class Filleting {
   Filleting(const TopoDS_Shape& shape, const FilletOptions& options,
             std::shared_ptr<const WorkLimit> limit = nullptr)
       : given_(shape),
-        body_(own_copy(shape)),
+        body_(flat_copy(shape)),
         options_(options),
         limit_(limit ? std::move(limit)
                      : std::make_shared<const WorkLimit>(options_.intersection)) {
@@ -86,6 +86,11 @@ class Filleting {
   const std::set<int>& gone_on() const { return gone_on_; }
 
  private:
+  static TopoDS_Shape flat_copy(const TopoDS_Shape& shape) {
+    TopoDS_Shape copy = own_copy(shape);
+    flatten(copy);
+    return copy;
+  }
   void find_parts(const TopoDS_Shape& shape);
   void renew_body();
   bool is_inside_out(const SolidPart& part);
