@@ -12,6 +12,7 @@
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomProjLib.hxx>
+#include <Precision.hxx>
 #include <ProjLib_Cone.hxx>
 #include <ProjLib_Cylinder.hxx>
 #include <ProjLib_Sphere.hxx>
@@ -80,7 +81,15 @@ bool may_have_image(const Handle(Geom_Curve) & curve, const Interval& range,
   }
 }
 
-// What Open CASCADE makes of it; null if that is not exact.
+// Whether a curve has all of a range. On a surface of revolution Open CASCADE's end at the seam,
+// and evaluate beyond.
+bool covers(const Handle(Geom2d_Curve) & chart, const Interval& range) {
+  const double room = Precision::PConfusion();
+  return chart->IsPeriodic() || (chart->FirstParameter() <= range.from + room &&
+                                 chart->LastParameter() >= range.to - room);
+}
+
+// What Open CASCADE makes of it; null if that is not exact, or not all.
 Handle(Geom2d_Curve) projected(const Handle(Geom_Curve) & curve, const Interval& range,
                                const SurfaceProjector& feet, double tolerance) {
   try {
@@ -88,7 +97,8 @@ Handle(Geom2d_Curve) projected(const Handle(Geom_Curve) & curve, const Interval&
     double found = tolerance;
     const Handle(Geom2d_Curve) chart =
         GeomProjLib::Curve2d(curve, range.from, range.to, feet.surface(), found);
-    if (!chart.IsNull() && deviation(curve, chart, range, feet) <= kExactShare * tolerance)
+    if (!chart.IsNull() && covers(chart, range) &&
+        deviation(curve, chart, range, feet) <= kExactShare * tolerance)
       return chart;
   } catch (const Standard_Failure&) {
     return {};  // it has none; one is fitted

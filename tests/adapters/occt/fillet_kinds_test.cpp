@@ -25,10 +25,12 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <ShapeCustom.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
 
@@ -223,6 +225,29 @@ TEST(FilletOverSmoothNeighbours, GoesOnWhereContactsMeetBordersApart) {
 
     expect_volume(made, 20 * 25 - 20 * kCut, 1e-9);
   }
+}
+
+// As IGES files have cylinders. Open CASCADE's charts of contacts on them end at seams.
+TEST(FilletOverSmoothNeighbours, IsTheSameOnSurfacesOfRevolution) {
+  const gp_Circ circle(gp_Ax2({5, 5, 0}, {0, 0, 1}, {-1, 0, 0}), 5);  // the seam is at its start
+  BRepBuilderAPI_MakeWire outline(BRepBuilderAPI_MakeEdge(circle, 0, std::numbers::pi / 2));
+  const std::vector<gp_Pnt> corners{{5, 0, 0}, {60, 0, 0}, {60, 40, 0}, {0, 40, 0}, {0, 5, 0}};
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+    outline.Add(BRepBuilderAPI_MakeEdge(corners[i], corners[i + 1]));
+  const TopoDS_Shape plain =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 50));
+  const TopoDS_Shape turned = ShapeCustom::ConvertToRevolution(plain);
+  std::vector<double> volumes;
+  for (const TopoDS_Shape& shape : {plain, turned}) {
+    const std::vector<int> top = edges_where(shape, [](const Vec3& at) {
+      return std::abs(at[2] - 50) < 1e-9 && std::abs(at[0]) < 1e-9;
+    });
+    ASSERT_EQ(top.size(), 1U);
+    const FilletResult made = fillet(shape, top, {.radius = 1});
+    ASSERT_EQ(made.solids.size(), 1U) << testing::told(made);
+    volumes.push_back(made.solids.front().volume);
+  }
+  EXPECT_NEAR(volumes[1], volumes[0], 1e-7);
 }
 
 // The far end of the border is known to a large tolerance only; a small ball does not come near it.
