@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -189,6 +190,40 @@ TEST(FilletOfMixedCorners, FeetOfARibAreRoundedAfterItsSlantingEdge) {
 // The top of a bar on a plate, flush with the plate's side: where it is flush the foot is the one
 // concave edge of three, at its other end the bar's rim is the one convex edge. As the rims go on
 // in each other around the bar only one of these can come first.
+// With all edges rounded nothing is left sharp.
+void expect_all_rounded(const TopoDS_Shape& parts, double radius) {
+  ShapeUpgrade_UnifySameDomain unified(parts);
+  unified.Build();
+  const TopoDS_Shape shape = TopExp_Explorer(unified.Shape(), TopAbs_SOLID).Current();
+  std::vector<int> edges = edges_of_kind(shape, EdgeKind::Convex);
+  std::ranges::copy(edges_of_kind(shape, EdgeKind::Concave), std::back_inserter(edges));
+
+  const FilletResult made = fillet(shape, edges, {.radius = radius});
+
+  expect_sound(made);
+  EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+  ASSERT_FALSE(made.solids.empty());
+  for (const EdgeKind kind : {EdgeKind::Convex, EdgeKind::Concave})
+    EXPECT_TRUE(edges_of_kind(made.solids.front().solid, kind).empty());
+}
+
+// At its slope the convex edges would have to come first, and where it is flush with the plate the
+// concave ones.
+TEST(FilletOfMixedCorners, AllEdgesOfAPlateWithASlopingRibAreRounded) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(60, 40, 4).Shape();
+  const TopoDS_Shape rib = BRepPrimAPI_MakePrism(
+      polygon({{20, 0, 4}, {20, 30, 4}, {20, 20, 14}, {20, 0, 14}}), gp_Vec(6, 0, 0));
+  expect_all_rounded(BRepAlgoAPI_Fuse(plate, rib), 1);
+}
+
+// In the corner where the block leaves the plate two edges of either kind meet, each in line with
+// one of the other kind: their contacts on the face between run along each other.
+TEST(FilletOfMixedCorners, AllEdgesOfABlockBesideAPlateAreRounded) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-9, 0, 0), 18, 20, 9).Shape();
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-13, 20, 0), 17, 6, 25).Shape();
+  expect_all_rounded(BRepAlgoAPI_Fuse(plate, block), 1);
+}
+
 TEST(FilletOfMixedCorners, TheTopOfABarFlushWithItsPlateIsRounded) {
   const TopoDS_Shape plate = BRepPrimAPI_MakeBox(20, 5, 20).Shape();
   const TopoDS_Shape bar = BRepPrimAPI_MakeBox(gp_Pnt(15, 5, 6), 5, 10, 6).Shape();

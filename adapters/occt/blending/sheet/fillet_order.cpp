@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "adapters/occt/blending/blend_edges.h"
@@ -23,6 +24,8 @@ class Order {
   std::vector<FilletEdges> groups(const FilletEdges& edges) const;
   using Rules = std::vector<std::pair<int, int>>;  // which edge comes before which
   std::map<std::size_t, int> groups_after(const Rules& rules) const;
+  std::map<std::size_t, std::set<std::size_t>> led_to(const Rules& rules) const;
+  Rules settled(const Rules& rules, const FilletEdges& edges) const;
 
  private:
   std::size_t class_of(int edge) const {
@@ -85,7 +88,10 @@ Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOption
         continue;
       }
       for (const int each : alike) unite(edge, each);
-      if (ring.size() > kOrdered) continue;
+      if (ring.size() > kOrdered) {
+        for (const int each : others) unite(edge, each);
+        continue;
+      }
       const auto comes_first = [concave](std::size_t alike_count, std::size_t other_count) {
         return alike_count == 1 && (other_count > 1 || (other_count == 1 && concave));
       };
@@ -121,11 +127,56 @@ std::map<std::size_t, int> Order::groups_after(const Rules& rules) const {
   return level;
 }
 
+// The classes that come after each by rules, also over others.
+std::map<std::size_t, std::set<std::size_t>> Order::led_to(const Rules& rules) const {
+  std::map<std::size_t, std::set<std::size_t>> to;
+  for (const auto& [a, b] : rules) to[class_of(a)].insert(class_of(b));
+  for (bool changed = true; std::exchange(changed, false);)
+    for (auto& [from, after] : to)
+      for (const std::size_t each : std::set(after))
+        for (const std::size_t next : to[each]) changed = after.insert(next).second || changed;
+  return to;
+}
+
+// Rules that lead back to where they begin ask for edges of either kind before such of the other.
+// Either order can be made: at a corner where the pair of one kind comes before the lone edge of
+// the other, that ends in what they meet in. The kind that more of these rules ask for comes first,
+// the concave one if as many do, and the others are given up.
+Order::Rules Order::settled(const Rules& rules, const FilletEdges& edges) const {
+  const auto to = led_to(rules);
+  const auto goes = [&](std::size_t a, std::size_t b) {
+    const auto known = to.find(a);
+    return known != to.end() && known->second.count(b) > 0;
+  };
+  const auto is_circular = [&](const std::pair<int, int>& rule) {
+    return goes(class_of(rule.second), class_of(rule.first));
+  };
+  Rules kept;
+  for (const auto& rule : rules) {
+    if (class_of(rule.first) == class_of(rule.second)) continue;  // they are made at once
+    const bool concave = edges.at(rule.first);
+    if (!is_circular(rule) || concave == edges.at(rule.second)) {
+      kept.push_back(rule);
+      continue;
+    }
+    int more = 0;  // of the rules in the same circle, by kind
+    for (const auto& other : rules)
+      if (is_circular(other) && edges.at(other.first) != edges.at(other.second) &&
+          (class_of(other.first) == class_of(rule.first) ||
+           (goes(class_of(rule.first), class_of(other.first)) &&
+            goes(class_of(other.first), class_of(rule.first)))))
+        more += edges.at(other.first) == concave ? 1 : -1;
+    if (more > 0 || (more == 0 && concave)) kept.push_back(rule);
+  }
+  return kept;
+}
+
 // Each as late as can be: those that are to be in no group before others are made at once with all
 // that they may come to meet where blends go on along the ends of others.
 std::vector<FilletEdges> Order::groups(const FilletEdges& edges) const {
   std::map<std::size_t, int> after = groups_after(before_);
   if (after.empty()) after = groups_after(before_asked_);
+  if (after.empty()) after = groups_after(settled(before_asked_, edges));
   if (after.empty()) return {edges};
   std::map<int, FilletEdges> sorted;
   for (const auto& [edge, concave] : edges)

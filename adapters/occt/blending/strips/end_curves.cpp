@@ -69,6 +69,18 @@ std::vector<PlanarCurve> contact_copies(const BodyEdges& body, const RolledStrip
   return all;
 }
 
+// Common points but those where the curves run along each other: there neither goes over the other.
+std::vector<PlanarCrossing> apart_from_runs(const PlanarCrossings& found) {
+  std::vector<PlanarCrossing> points;
+  std::ranges::copy_if(found.points, std::back_inserter(points), [&](const PlanarCrossing& each) {
+    return std::ranges::none_of(found.overlaps, [&](const PlanarOverlap& run) {
+      const double room = kRunEnd * length(run.a);
+      return each.a >= run.a.from - room && each.a <= run.a.to + room;
+    });
+  });
+  return points;
+}
+
 // runs   where a contact runs along the edge, added
 std::vector<PlanarCrossing> meetings(const std::vector<PlanarCurve>& contacts,
                                      const EdgeUseInFace& use,
@@ -79,13 +91,7 @@ std::vector<PlanarCrossing> meetings(const std::vector<PlanarCurve>& contacts,
     const PlanarCrossings found = crossings(contact, use.coedge->curve, tolerance);
     if (runs != nullptr)
       for (const PlanarOverlap& run : found.overlaps) runs->push_back(run.a);
-    // Where they run along each other neither goes over the other.
-    std::ranges::copy_if(found.points, std::back_inserter(all), [&](const PlanarCrossing& each) {
-      return std::ranges::none_of(found.overlaps, [&](const PlanarOverlap& run) {
-        const double room = kRunEnd * length(run.a);
-        return each.a >= run.a.from - room && each.a <= run.a.to + room;
-      });
-    });
+    std::ranges::copy(apart_from_runs(found), std::back_inserter(all));
   }
   return all;
 }
@@ -529,7 +535,7 @@ std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const
   std::optional<std::array<double, 2>> best;
   double least = 0;
   for (const PlanarCrossing& each :
-       crossings(chart(a, side_a), chart(b, side_b), Precision::Confusion()).points) {
+       apart_from_runs(crossings(chart(a, side_a), chart(b, side_b), Precision::Confusion()))) {
     const double away = std::abs(each.a - near_a) + std::abs(each.b - near_b);
     if (best && away >= least) continue;
     best = {each.a, each.b};
