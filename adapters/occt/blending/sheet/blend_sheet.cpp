@@ -141,11 +141,13 @@ void BlendSheet::or_else(const std::vector<DirectedEdge>& halves,
   const SheetBorder border = border_;
   const std::map<int, std::vector<TopoDS_Edge>> added = added_;
   const std::size_t patches = patches_.size();
+  const EdgeSplits splits = splits_;
   try {
     ended();
   } catch (const FilletRefused& refusal) {
     border_ = border;
     added_ = added;
+    splits_ = splits;
     patches_.resize(patches);
     for (const DirectedEdge& each : halves) {
       end_of(each).path.clear();

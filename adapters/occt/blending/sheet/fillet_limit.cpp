@@ -2,10 +2,10 @@
 #include "adapters/occt/blending/sheet/fillet_limit.h"
 
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <vector>
 
+#include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/strips/ball_supports.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "core/blending/balls/largest_radius.h"
@@ -77,7 +77,7 @@ std::optional<Room> room_of(const BodyEdges& body, int edge, bool concave, doubl
     }
   }
   return room;
-} catch (const std::exception&) {
+} catch (const FilletRefused&) {
   return std::nullopt;
 }
 
@@ -151,8 +151,8 @@ std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool co
     cause = "edge " + std::to_string(borders.edges[static_cast<std::size_t>(found->border)]) +
             ", which the contact reaches";
   return FilletLimit{found->radius, cause, found->limit == RadiusLimit::Border};
-} catch (const std::exception&) {
-  return std::nullopt;  // the refusal stands without it
+} catch (const FilletRefused&) {
+  return std::nullopt;  // no ball is small enough: the refusal stands without it
 }
 
 }  // namespace blossom::occt

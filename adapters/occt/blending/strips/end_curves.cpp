@@ -20,6 +20,7 @@
 #include <Precision.hxx>
 #include <ProjLib.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/limits.h"
@@ -206,7 +207,7 @@ Handle(Geom2d_Curve)
   try {
     return image_of(curve, range, feet, point_at(fitted, at(range, 0.5)), Precision::Confusion())
         .chart;
-  } catch (const std::exception&) {
+  } catch (const Failure&) {  // it goes over the seam of a surface that has no period
     return to_occt(fitted);
   }
 }
