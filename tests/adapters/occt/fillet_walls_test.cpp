@@ -17,6 +17,7 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -104,6 +105,42 @@ TEST(FilletOfAWall, AsLargeAsItIsThickGoesAlongItsFarEdge) {
     return;
   }
   FAIL() << "no such edge";
+}
+
+int edge_with_middle(const TopoDS_Shape& shape, const Vec3& middle) {
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (distance(each.middle, middle) < 1e-9) return each.number;
+  ADD_FAILURE() << "no edge there";
+  return 0;
+}
+
+TopoDS_Shape united(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+  ShapeUpgrade_UnifySameDomain made(BRepAlgoAPI_Fuse(a, b).Shape());
+  made.Build();
+  return solid_of(made.Shape());
+}
+
+// An upright edge of a rib that is flush with its plate: below, the plate's top grows to the vertex
+// in which the rib's other side ends.
+TEST(FilletOfAWall, AsLargeAsARibIsThickEndsInItsFoot) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(60, 40, 4).Shape();
+  const TopoDS_Shape rib = BRepPrimAPI_MakeBox(gp_Pnt(0, 8, 4), 50, 1, 5).Shape();
+  const TopoDS_Shape shape = united(plate, rib);
+  const FilletResult made = fillet(shape, {edge_with_middle(shape, {0, 8, 6.5})}, {.radius = 1});
+  expect_sound(made);
+  EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+  EXPECT_NEAR(made.solids.front().volume, volume_of(shape) - kBeside * 5, 1e-7);
+}
+
+// The side of the plate is used up, and on its top the contact comes to a rib and runs along it.
+TEST(FilletOfAWall, AsLargeAsAPlateIsThickGoesAlongARibOnIt) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(20, 10, 3).Shape();
+  const TopoDS_Shape rib = BRepPrimAPI_MakeBox(gp_Pnt(5, 3, 3), 4, 5, 6).Shape();
+  const TopoDS_Shape shape = united(plate, rib);
+  const FilletResult made = fillet(shape, {edge_with_middle(shape, {10, 0, 3})}, {.radius = 3});
+  expect_sound(made);
+  EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+  EXPECT_NEAR(made.solids.front().volume, volume_of(shape) - kBeside * 9 * 20, 1e-7);
 }
 
 // A ruled loft between two rectangles, on a plate: its walls are splines, though flat.

@@ -194,6 +194,7 @@ class BlendSheet {
   TopoDS_Vertex cut_edge(const ContactCrossing& crossing, const TopoDS_Face& asking);
   void join_section(const EndPlace& before, const EndPlace& after);
   TopoDS_Vertex new_vertex(const Vec3& point);
+  TopoDS_Vertex vertex_in(int face, const Vec3& place);
   Interval part_near(const DirectedEdge& half, const std::array<double, 2>& t);
   TopoDS_Edge section(const PlacedStrip& of, const StripEnd& end);
   void cap_face(const DirectedEdge& half, const Interval& part, int face, const TopoDS_Vertex& from,

@@ -85,6 +85,20 @@ BlendSheet::Cut BlendSheet::end_cut(const DirectedEdge& half, std::size_t side, 
   return {best->t, cut_edge(*best, body_.face(contact.face))};
 }
 
+// The vertex of a face's border at a place, at which the border of the sheet ends then, or a new
+// one.
+TopoDS_Vertex BlendSheet::vertex_in(int face, const Vec3& place) {
+  for (const EdgeUseInFace& use : body_.uses(face))
+    for (const bool at_start : {true, false}) {
+      const TopoDS_Vertex vertex = body_.vertex({use.edge, at_start});
+      if (distance(point_of(vertex), place) > std::max(tolerance_, BRep_Tool::Tolerance(vertex)))
+        continue;
+      border_.vertices.push_back(vertex);
+      return vertex;
+    }
+  return new_vertex(place);
+}
+
 // Whether the border of a face turns back at the end of a strip, so that the contact runs on past
 // it inside of the face.
 bool BlendSheet::turns_back(const Ring& ring, bool on_left) {
@@ -124,7 +138,7 @@ BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyon
                std::to_string(contact.face));
   };
   const auto t = contact_through(strip, side, end_t(half), body_.face(beyond), part);
-  if (!t || !lies_inside(body_, contact, *t))
+  if (!t || !lies_on(body_, contact, *t))
     refuse_growing("would not come, if it went on, to " + contact_words());
   const TopoDS_Vertex corner = body_.vertex(half);
   const Vec3 place = vec(contact.curve->Value(*t).XYZ());
@@ -132,7 +146,7 @@ BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyon
   const auto down = wall_curve_between(body_.face(beyond), body_.face(contact.face), place,
                                        point_of(corner), reach);
   if (!down) refuse_growing("cannot go on along a curve up to " + contact_words());
-  const TopoDS_Vertex joined = new_vertex(place);
+  const TopoDS_Vertex joined = vertex_in(contact.face, place);
   const TopoDS_Edge border = wall_border(*down, joined, corner, on_left, contact.face);
   add_chart(TopoDS::Edge(border.Oriented(TopAbs_FORWARD)),
             chart_near_face(down->on_strip, at(down->range, 0.5), body_, beyond),

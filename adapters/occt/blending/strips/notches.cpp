@@ -25,7 +25,7 @@ std::vector<Notch> notches(const BodyEdges& body, const RolledStrip& strip, std:
     const Interval between{all[i].t, all[i + 1].t};
     if (length(between) <= 0 || is_smooth_at(body, all[i]) || is_smooth_at(body, all[i + 1]))
       continue;
-    if (!lies_inside(body, strip.contacts[side], at(between, 0.5)))
+    if (!lies_on(body, strip.contacts[side], at(between, 0.5)))
       found.push_back({all[i], all[i + 1]});
   }
   return found;
