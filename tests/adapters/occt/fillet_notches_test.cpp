@@ -112,6 +112,32 @@ TEST(FilletUnderABoss, IsMetByTheBosssWall) {
   EXPECT_NEAR(made.volume_before - made.solids.front().volume, removed, 1e-6);
 }
 
+// A drilled lug beside a round housing: the rim's contact goes under the housing's wall, which
+// grows down to the strip, with the seam where that happens or elsewhere.
+TEST(FilletUnderABoss, IsMetByAWallWhereverItsSeamIs) {
+  std::vector<double> changes;
+  for (const double turn : {0.0, 1.0}) {
+    const gp_Pnt middle(18 * std::cos(turn), 18 * std::sin(turn), 0);
+    const gp_Ax2 there(middle, {0, 0, 1});
+    const TopoDS_Shape housing = BRepPrimAPI_MakeCylinder(15, 20).Shape();
+    const TopoDS_Shape lug = BRepPrimAPI_MakeCylinder(there, 5, 8).Shape();
+    const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(there, 2, 8).Shape();
+    const TopoDS_Shape shape = BRepAlgoAPI_Cut(BRepAlgoAPI_Fuse(housing, lug).Shape(), drill);
+    int rim = 0;
+    for (const EdgeFacts& each : edge_facts(shape))
+      if (std::abs(each.middle[2] - 8) < 1e-9 &&
+          std::abs(std::hypot(each.middle[0] - middle.X(), each.middle[1] - middle.Y()) - 2) < 1e-9)
+        rim = each.number;
+    ASSERT_GT(rim, 0);
+    const FilletResult made = fillet(shape, {rim}, {.radius = 1.5});
+    testing::expect_sound(made);
+    ASSERT_FALSE(made.solids.empty());
+    changes.push_back(made.solids.front().volume - made.volume_before);
+  }
+  EXPECT_LT(changes[0], 0);
+  EXPECT_NEAR(changes[0], changes[1], 1e-6);
+}
+
 TEST(FilletOverANotch, IsCutByAllOfItsWalls) {
   // Ends at y = 1.5, inside of the strip of radius 2, and y = 4, beyond it.
   const TopoDS_Shape shape =

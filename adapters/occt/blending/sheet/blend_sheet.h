@@ -206,6 +206,8 @@ class BlendSheet {
     double t = 0;          // of the curve
     bool at_start = true;  // beyond that end of the seam
   };
+  std::vector<PathEdge> edges_along(const RolledStrip& strip, const EndCurve& curve, int face,
+                                    const TopoDS_Vertex& from, const TopoDS_Vertex& to);
   std::optional<SeamMeeting> seam_meeting(const EndCurve& curve, int face);
   TopoDS_Vertex grown_seam(const SeamMeeting& seam, const Vec3& place, int face);
   const EdgeUseInFace& arriving(const Ring& ring, std::size_t sector) const;
@@ -222,8 +224,8 @@ class BlendSheet {
   TopoDS_Vertex cut_wall(const PlacedStrip& of, const WallWay& way, int face);
   std::vector<PathEdge> notch_path(const PlacedStrip& of, std::size_t side, const Notch& notch,
                                    const TopoDS_Vertex& leaves, const TopoDS_Vertex& enters);
-  PathEdge wall_edge(const PlacedStrip& of, std::size_t side, int face, const EndCurve& curve,
-                     const TopoDS_Vertex& from, const TopoDS_Vertex& to);
+  void add_wall(const PlacedStrip& of, std::size_t side, int face, const WallWay& way,
+                const TopoDS_Vertex& from, const TopoDS_Vertex& to, std::vector<PathEdge>& path);
   void cut_notches(PlacedStrip& of, std::size_t side, const std::vector<Notch>& all);
   void cut_seams(PlacedStrip& of, std::size_t side);
   void add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patch);

@@ -80,8 +80,10 @@ std::optional<BlendSheet::WallWay> BlendSheet::wall_way(const PlacedStrip& of, c
                                                         const TopoDS_Vertex* enters, bool grows) {
   const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(from));
   const auto way_to = [&](const Vec3& point, double room) {
-    auto curve = curve_in_face(of.strip, part, body_.face(face), point_of(from), point,
-                               std::max(reach, room));
+    const Vec3 start = point_of(from);
+    const double off = std::max(reach, room);
+    auto curve = grows ? curve_between(of.strip, part, body_.face(face), start, point, off)
+                       : curve_in_face(of.strip, part, body_.face(face), start, point, off);
     if (curve && !stays_where(of.strip, body_.trims(face), *curve, grows)) curve.reset();
     return curve;
   };
@@ -131,7 +133,7 @@ std::vector<PathEdge> BlendSheet::notch_path(const PlacedStrip& of, std::size_t 
         wall_way(of, part, face, entered, from, face == last ? &enters : nullptr, grows);
     if (!way) break;
     const TopoDS_Vertex to = way->use ? cut_wall(of, *way, face) : enters;
-    path.push_back(wall_edge(of, side, face, way->curve, from, to));
+    add_wall(of, side, face, *way, from, to, path);
     if (!way->use) return path;
     from = to;
     entered = way->use->edge;
@@ -164,19 +166,16 @@ void BlendSheet::cut_notches(PlacedStrip& of, std::size_t side, const std::vecto
   std::ranges::sort(cuts, {}, &Cut::t);
 }
 
-// Along one wall, as the contact goes.
-PathEdge BlendSheet::wall_edge(const PlacedStrip& of, std::size_t side, int face,
-                               const EndCurve& curve, const TopoDS_Vertex& from,
-                               const TopoDS_Vertex& to) {
-  const TopoDS_Edge edge =
-      edge_on(curve.curve, curve.range, curve.forward ? from : to, curve.forward ? to : from);
-  add_chart(edge, curve.on_strip, of.strip.bare_face());
-  add_chart(edge, chart_near_face(curve.on_face, at(curve.range, 0.5), body_, face),
-            body_.face(face));
-  // The wall takes the place of the face along the contact.
-  added_[face].push_back(
-      TopoDS::Edge(edge.Oriented(curve.forward == (side == 0) ? TopAbs_FORWARD : TopAbs_REVERSED)));
-  return {edge, curve.forward};
+// Along one wall, as the contact goes. The wall takes the place of the face along the contact.
+void BlendSheet::add_wall(const PlacedStrip& of, std::size_t side, int face, const WallWay& way,
+                          const TopoDS_Vertex& from, const TopoDS_Vertex& to,
+                          std::vector<PathEdge>& path) {
+  for (const PathEdge& each : edges_along(of.strip, way.curve, face, from, to)) {
+    const bool as_it_runs = each.forward == (side == 0);
+    added_[face].push_back(
+        TopoDS::Edge(each.edge.Oriented(as_it_runs ? TopAbs_FORWARD : TopAbs_REVERSED)));
+    path.push_back(each);
+  }
 }
 
 }  // namespace blossom::occt

@@ -228,6 +228,29 @@ TopoDS_Vertex BlendSheet::grown_seam(const SeamMeeting& seam, const Vec3& place,
   return met;
 }
 
+// A curve in which a strip and a face meet, from one vertex to the other, as an edge; two where the
+// face grows over the line of its seam.
+std::vector<PathEdge> BlendSheet::edges_along(const RolledStrip& strip, const EndCurve& curve,
+                                              int face, const TopoDS_Vertex& from,
+                                              const TopoDS_Vertex& to) {
+  const TopoDS_Vertex &start = curve.forward ? from : to, &end = curve.forward ? to : from;
+  std::vector<std::pair<Interval, std::array<TopoDS_Vertex, 2>>> pieces{
+      {curve.range, {start, end}}};
+  if (const auto seam = seam_meeting(curve, face)) {
+    const TopoDS_Vertex met = grown_seam(*seam, vec(curve.curve->Value(seam->t).XYZ()), face);
+    pieces = {{{curve.range.from, seam->t}, {start, met}}, {{seam->t, curve.range.to}, {met, end}}};
+  }
+  if (!curve.forward) std::ranges::reverse(pieces);
+  std::vector<PathEdge> made;
+  for (const auto& [range, ends] : pieces) {
+    const TopoDS_Edge edge = edge_on(curve.curve, range, ends[0], ends[1]);
+    add_chart(edge, curve.on_strip, strip.bare_face());
+    add_chart(edge, chart_near_face(curve.on_face, at(range, 0.5), body_, face), body_.face(face));
+    made.push_back({edge, curve.forward});
+  }
+  return made;
+}
+
 // Across one of the faces at the end of a strip, from its left to its right.
 //
 // Where a contact comes to the face over a smooth edge, strip and face touch, but for the edge's
@@ -250,23 +273,11 @@ void BlendSheet::cap_face(const DirectedEdge& half, const Interval& part, int fa
     refuse(
         half, FilletFault::End,
         "the strip does not cross face " + std::to_string(face) + " at its end from side to side");
-  const TopoDS_Vertex &start = curve->forward ? from : to, &end = curve->forward ? to : from;
-  std::vector<std::pair<Interval, std::array<TopoDS_Vertex, 2>>> pieces{
-      {curve->range, {start, end}}};
-  if (const auto seam = seam_meeting(*curve, face)) {
-    const TopoDS_Vertex met = grown_seam(*seam, vec(curve->curve->Value(seam->t).XYZ()), face);
-    pieces = {{{curve->range.from, seam->t}, {start, met}},
-              {{seam->t, curve->range.to}, {met, end}}};
-  }
-  if (!curve->forward) std::ranges::reverse(pieces);
-  for (const auto& [range, ends] : pieces) {
-    const TopoDS_Edge edge = edge_on(curve->curve, range, ends[0], ends[1]);
-    add_chart(edge, curve->on_strip, strip.bare_face());
-    add_chart(edge, chart_near_face(curve->on_face, at(range, 0.5), body_, face), body_.face(face));
+  for (const PathEdge& each : edges_along(strip, *curve, face, from, to)) {
     // Seen from the vertex the face lies beyond the strip's end: it walks from right to left.
     added_[face].push_back(
-        TopoDS::Edge(edge.Oriented(curve->forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
-    end_of(half).path.push_back({edge, curve->forward});
+        TopoDS::Edge(each.edge.Oriented(each.forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
+    end_of(half).path.push_back(each);
   }
 }
 
