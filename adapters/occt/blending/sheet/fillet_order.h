@@ -16,8 +16,9 @@ namespace blossom::occt {
 /// Where of three edges at a vertex one of its kind meets the others, whether these all have
 /// fillets or not, it comes first: its strip ends in a face that the others have in common, and
 /// they go on smoothly along that end. Edges of one kind that meet are of one group, as their
-/// corners need all of them. Where these rules contradict each other only edges that have fillets
-/// count, and where they still do all edges are one group.
+/// corners need all of them; so are edges of both kinds that meet in a vertex of more than three
+/// edges. Where these rules contradict each other only edges that have fillets count, and where
+/// they still do the kind that more corners ask for comes first.
 ///
 /// But of three edges of one kind at a vertex, two of which have one radius, the third one comes
 /// first if its own is larger: the smaller ball rolls on along the end of the larger one's strip,
