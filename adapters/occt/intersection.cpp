@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -312,24 +313,48 @@ class PairIntersector {
     return found;
   }
 
-  // A curve that touches the line between two spans of an arc may stay open; the line is our own
-  // choice, so it is put elsewhere then.
+  // A curve that touches the line between two spans of an arc may stay open there, or look like a
+  // contact of the surfaces; the line is our own choice, so it is put elsewhere then.
   SurfaceIntersection found_between(std::size_t i, std::size_t j,
                                     const std::vector<SharedEdge>& edges) const {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     SurfaceIntersection found = intersect(a.surface, b.surface, options_for(a, b, edges));
-    if (found.status != Status::Stopped || found.certificate.limited ||
-        faces_a_.cuts() == ArcCuts::Shifted ||
-        !(has_inner_arcs(a.surface) || has_inner_arcs(b.surface)))
+    if (found.certificate.limited || faces_a_.cuts() == ArcCuts::Shifted ||
+        !may_be_of_arc_lines(found, a.surface, b.surface))
       return found;
     SurfaceIntersection again = intersect(faces_a_.with_shifted_arcs(i),
                                           faces_b_.with_shifted_arcs(j), options_for(a, b, edges));
-    return again.status == Status::Stopped ? found : again;
+    const bool settles = found.status == Status::Stopped ? again.status != Status::Stopped
+                                                         : again.status == Status::Complete;
+    return settles ? again : found;
+  }
+
+  // Whether what is not proven may come from where arcs are cut.
+  static bool may_be_of_arc_lines(const SurfaceIntersection& found, const BezierSurface& a,
+                                  const BezierSurface& b) {
+    if (found.status == Status::Stopped) return has_inner_arcs(a) || has_inner_arcs(b);
+    return std::ranges::any_of(found.places, [&](const Place& place) {
+      const auto& [u_a, v_a, u_b, v_b] = place.parameters;
+      return place.kind != PlaceKind::Overlap &&
+             (holds_arc_line(a, u_a, v_a) || holds_arc_line(b, u_b, v_b));
+    });
   }
 
   static bool has_inner_arcs(const BezierSurface& surface) {
-    return (surface.u_law == ParameterLaw::Angle && surface.patches.rows() > 1) ||
-           (surface.v_law == ParameterLaw::Angle && surface.patches.columns() > 1);
+    constexpr Interval kAll{-std::numeric_limits<double>::infinity(),
+                            std::numeric_limits<double>::infinity()};
+    return holds_arc_line(surface, kAll, kAll);
+  }
+
+  // Whether a line between two spans of an arc goes through a box of parameters.
+  static bool holds_arc_line(const BezierSurface& surface, const Interval& u, const Interval& v) {
+    const auto any_in = [](const std::vector<double>& knots, ParameterLaw law,
+                           const Interval& range) {
+      return law == ParameterLaw::Angle &&
+             std::any_of(knots.begin() + 1, knots.end() - 1,
+                         [&](double at) { return range.from <= at && at <= range.to; });
+    };
+    return any_in(surface.u_knots, surface.u_law, u) || any_in(surface.v_knots, surface.v_law, v);
   }
 
   IntersectionOptions options_for(const FaceData& a, const FaceData& b,

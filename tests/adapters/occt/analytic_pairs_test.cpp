@@ -158,5 +158,18 @@ INSTANTIATE_TEST_SUITE_P(Rows, AnalyticPairs, ::testing::Range(0, static_cast<in
                            return rows()[static_cast<std::size_t>(which.param)].name;
                          });
 
+// At the distance of the torus's circle of centres the plane's curve keeps near the circles in
+// which the torus is highest and lowest, as z = r - x^4 / (8 R^2 r): there lies a line between
+// patches.
+TEST(PlanesAcrossTori, TouchNothingWhereTheirCurvesTouchLinesBetweenPatches) {
+  for (const TopoDS_Face& across : {plane({0, 2, 0}, Y)(0), plane({-2, 0, 0}, X)(0)}) {
+    const ShapeIntersection found = intersect({torus(O, 2, 1)(0)}, {across});
+    EXPECT_EQ(found.status, Status::Complete);
+    ASSERT_EQ(found.pairs.size(), 1U);
+    EXPECT_TRUE(found.pairs.front().found.nodes.empty());
+    EXPECT_TRUE(found.pairs.front().found.places.empty());
+  }
+}
+
 }  // namespace
 }  // namespace blossom::occt::analytic
