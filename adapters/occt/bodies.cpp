@@ -324,13 +324,15 @@ class BodyRelations {
       if (!body_a.is_solid()) return add_pieces(body_a, body_b, b_.asked[j], a);
       if (!body_b.is_solid()) return add_pieces(body_b, body_a, a_.asked[i], b);
       const TrimTool solid_a = trim_tool(body_a.shape), solid_b = trim_tool(body_b.shape);
-      SolidPieces pieces = solid_pieces(solid_a, solid_b, Attempt::First, limit_.remaining());
-      if (!pieces.obstacles.empty())
-        pieces = solid_pieces(solid_a, solid_b, Attempt::Others, limit_.remaining());
-      if (!pieces.obstacles.empty()) return std::nullopt;
-      count_sides(pieces.a, a);
-      count_sides(pieces.b, b);
-      return pieces.status;
+      const IntersectionOptions left = limit_.remaining();
+      SolidDivisions divisions(solid_a, solid_b, 0, left);
+      while (const auto pieces = divisions.next()) {
+        if (!pieces->obstacles.empty()) continue;
+        count_sides(pieces->a, a);
+        count_sides(pieces->b, b);
+        return pieces->status;
+      }
+      return std::nullopt;
     });
   } catch (const Failure&) {
     return std::nullopt;

@@ -491,12 +491,12 @@ ShapeIntersection intersected(const PairIntersector& intersector, const FaceCopi
 }  // namespace
 
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-                            const IntersectionOptions& options, Extent extent, ArcCuts cuts) {
+                            const IntersectionOptions& options, Extent extent) {
   const double tolerance = options.tolerances.point;
   ShapeIntersection result;
   with_threads(options.threads, [&] {
-    FaceList faces_a(a, "the first shape", tolerance, extent, cuts);
-    FaceList faces_b(b, "the second shape", tolerance, extent, cuts);
+    FaceList faces_a(a, "the first shape", tolerance, extent);
+    FaceList faces_b(b, "the second shape", tolerance, extent);
     FacePairs pairs = meeting_pairs(faces_a, faces_b);
     convert_meeting(faces_a, faces_b, pairs);
     const FaceCopies copies(faces_a, faces_b, pairs, tolerance);

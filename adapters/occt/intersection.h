@@ -12,7 +12,6 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "core/forms/spans/arc_spans.h"
 #include "core/self_intersection.h"
 #include "core/surface_intersection.h"
 #include "core/surfaces/branches/seam_chains.h"
@@ -75,7 +74,7 @@ struct ShapeIntersection {
 /// throws   BadModel if a face cannot be converted; the message has the face's place in its list
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
                             const IntersectionOptions& options = {},
-                            Extent extent = Extent::Extended, ArcCuts cuts = ArcCuts::Even);
+                            Extent extent = Extent::Extended);
 
 /// What of a shape is compared with itself.
 enum class SelfScope {

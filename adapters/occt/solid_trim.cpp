@@ -66,6 +66,7 @@ struct LayerWork {
   const SharedLimit& limit;
   ConeVolumes& cones;
   TopTools_MapOfShape valid;  // faces that need not be checked
+  double stated;              // by corners: what is nearer is one
   SolidTrimResult told;       // no solids
 
   bool is_refused() const { return !told.obstacles.empty(); }
@@ -84,7 +85,7 @@ struct LayerWork {
 SolidTrimResult LayerWork::step(const LabelledSolid& first, const LabelledSolid& second,
                                 SolidOperation operation) {
   SolidTrimResult made =
-      combined_pair(first.solid, second.solid, operation, limit.remaining(), cones, valid);
+      combined_pair(first.solid, second.solid, operation, limit.remaining(), stated, cones, valid);
   for (SolidFace& face : made.faces) {
     const LabelledSolid& of = face.tool < 0 ? first : second;
     const SolidFace& origin = of.faces[static_cast<std::size_t>(face.from)];
@@ -235,15 +236,17 @@ std::vector<const TrimTool*> all_of(const TrueInputs& inputs) {
 }
 
 SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools,
-                        SolidOperation operation, const IntersectionOptions& options) {
+                        SolidOperation operation, double stated,
+                        const IntersectionOptions& options) {
   const SharedLimit limit(options);
   const WorkLimit own_limit(options);
   SolidTrimResult result;
   try {
     const TrueInputs sound(part, tools, own_limit);
-    LabelledInputs inputs(sound.part(), sound.tools(), options.tolerances.point, limit);
+    LabelledInputs inputs(sound.part(), sound.tools(), std::max(options.tolerances.point, stated),
+                          limit);
     ConeVolumes cones(cone_apex(sound.part()));
-    LayerWork work{limit, cones, faces_of(part, tools), {}};
+    LayerWork work{limit, cones, faces_of(part, tools), stated, {}};
     result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
                                                : divided(inputs, operation, work);
     add_facts(work.told, result);
@@ -264,12 +267,13 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
 }
 
 SolidTrimResult trimmed_sheets(const TrimTool& part, const std::vector<TrimTool>& tools,
-                               SolidOperation operation, const IntersectionOptions& options) try {
+                               SolidOperation operation, double stated,
+                               const IntersectionOptions& options) try {
   const SharedLimit limit(options);
   const WorkLimit own_limit(options);
   const TrueInputs sound(part, tools, own_limit);
   SolidTrimResult result =
-      trim_sheets(sound.part(), sound.tools(), operation, limit.remaining_alone());
+      trim_sheets(sound.part(), sound.tools(), operation, stated, limit.remaining_alone());
   result.tolerances = sound.told();
   return result;
 } catch (const Failure& error) {  // the limit, before anything was divided
@@ -289,24 +293,6 @@ double corner_gap(const TrimTool& part, const std::vector<TrimTool>& tools) {
       gap = std::max(gap, gap_between_corners(tools[k], tools[i]));
   }
   return gap;
-}
-
-// Where corners state that edges are one, points are one within the gap between these.
-SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimTool>& tools,
-                                   SolidOperation operation, const IntersectionOptions& options) {
-  const SharedLimit limit(options);
-  IntersectionOptions stated = options;
-  stated.tolerances.point =
-      std::max(options.tolerances.point, kCornerMargin * corner_gap(part, tools));
-  const auto combine = takes_sheets(part, tools, operation) ? trimmed_sheets : trimmed;
-  SolidTrimResult result = combine(part, tools, operation, stated);
-  if (result.obstacles.empty() || stated.tolerances.point == options.tolerances.point ||
-      limit.is_reached())
-    return result;
-  SolidTrimResult finer = combine(part, tools, operation, limit.remaining_alone());
-  if (!finer.obstacles.empty()) return result;
-  finer.status = weaker(finer.status, Status::Tolerance);
-  return finer;
 }
 
 // Says which faces of the inputs are loose, and numbers the faces of results among all that their
@@ -390,7 +376,8 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   const auto begun = std::chrono::steady_clock::now();
   SolidTrimResult result;
   with_threads(options.threads, [&] {
-    result = trimmed_at_corners(part, tools, operation, options);
+    const auto combine = takes_sheets(part, tools, operation) ? trimmed_sheets : trimmed;
+    result = combine(part, tools, operation, kCornerMargin * corner_gap(part, tools), options);
     if (result.obstacles.empty() || limit.is_reached()) return;
     IntersectionOptions left = limit.remaining();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;

@@ -150,12 +150,9 @@ std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& t
 /// between them is in no result; they are told, with the status Tolerance.
 ///
 /// Points within the options' tolerance are one, and whatever lies nearer to each other than the
-/// faces of both solids state to be uncertain (solids/tolerances/stated_tolerance.h): no walls or
-/// voids thinner than that are made, and the status is Tolerance. Where the two cannot be divided
-/// so, the options' tolerance holds alone.
-///
-/// Where gaps between the two contradict the tolerance, the distance at which things are one is put
-/// between them, up to ten tolerances (solids/tolerances/contact_scale.h), and told.
+/// two solids state to be uncertain (solids/tolerances/stated_tolerance.h): no walls or voids
+/// thinner than that are made, and the status is Tolerance. Where the two cannot be divided so,
+/// there are two more looks at them, at another tolerance that is told (solids/solid_pieces.h).
 ///
 /// Tolerances of edges and vertices that are not true are not used: see with_true_tolerances.
 ///

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
-#include <sstream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,9 +21,7 @@
 #include "adapters/occt/solids/sheets.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/solids/solid_shells.h"
-#include "adapters/occt/solids/tolerances/contact_scale.h"
 #include "adapters/occt/solids/validity/solid_validity.h"
-#include "adapters/occt/splitting/common_edges.h"
 #include "core/base/work_limit.h"
 
 namespace blossom::occt {
@@ -152,7 +150,7 @@ void put_together(const SolidPieces& pieces, const TrimTool& part, const TrimToo
     result.obstacles.emplace_back("the volumes do not add up");
 }
 
-// What is done, whatever the attempt.
+// What is done with pieces, however they were made.
 struct PairJob {
   const TrimTool& part;
   const TrimTool& tool;
@@ -161,12 +159,10 @@ struct PairJob {
   const TopTools_MapOfShape& valid;  // faces that need not be checked
 };
 
-// What is within the options' tolerance is one.
-SolidTrimResult combined_at(const PairJob& job, Attempt attempt,
+SolidTrimResult combined_of(const SolidPieces& pieces, const PairJob& job,
                             const IntersectionOptions& options) {
   const auto& [part, tool, operation, cones, valid] = job;
   const WorkLimit limit(options);
-  const SolidPieces pieces = solid_pieces(part, tool, attempt, options);
   SolidTrimResult result;
   result.status = pieces.status;
   result.certificate = pieces.certificate;
@@ -194,37 +190,19 @@ SolidTrimResult combined_at(const PairJob& job, Attempt attempt,
   return result;
 }
 
-void tell_scale(double scale, SolidTrimResult& result) {
-  std::ostringstream text;
-  text << "what is nearer to each other than " << scale << " counts as one";
-  result.thin.push_back(text.str());
-  result.status = weaker(result.status, Status::Tolerance);
-}
-
-// In the charts that their faces have.
-SolidTrimResult combined_as_they_are(const PairJob& job, const IntersectionOptions& options) {
+// In the charts that their faces have: the first division that nothing stands against, else what
+// stands against the very first.
+SolidTrimResult combined_as_they_are(const PairJob& job, double stated,
+                                     const IntersectionOptions& options) {
   const SharedLimit limit(options);
-  const SolidTrimResult first = combined_at(job, Attempt::First, options);
-  if (first.obstacles.empty() || limit.is_reached()) return first;
-  const double point = options.tolerances.point;
-  const double scale = contact_scale(
-      contact_gaps(job.part, job.tool, kLooseReach * kLooseReach * point, limit), point);
-  struct Way {
-    Attempt attempt;
-    double tolerance;
-  };
-  std::vector<Way> ways{{Attempt::Others, point}};
-  if (scale != point) ways = {{Attempt::First, scale}, ways.front(), {Attempt::Others, scale}};
-  for (const auto& [attempt, tolerance] : ways) {
-    if (limit.is_reached()) break;
-    IntersectionOptions left = limit.remaining();
-    left.tolerances.point = tolerance;
-    SolidTrimResult other = combined_at(job, attempt, left);
-    if (!other.obstacles.empty()) continue;
-    if (tolerance != point) tell_scale(tolerance, other);
-    return other;
+  SolidDivisions divisions(job.part, job.tool, stated, options);
+  std::optional<SolidTrimResult> first;
+  while (const auto pieces = divisions.next()) {
+    SolidTrimResult made = combined_of(*pieces, job, limit.remaining());
+    if (made.obstacles.empty()) return made;
+    if (!first) first = std::move(made);
   }
-  return first;
+  return *std::move(first);
 }
 
 }  // namespace
@@ -243,12 +221,12 @@ double SolidVolumes::fuse_error() const {
 }
 
 SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                              const IntersectionOptions& options, ConeVolumes& cones,
+                              const IntersectionOptions& options, double stated, ConeVolumes& cones,
                               const TopTools_MapOfShape& valid) {
   const ClearCharts of_part = clear_charts(part, tool);
   const ClearCharts of_tool = clear_charts(tool, of_part.solid);
-  SolidTrimResult made =
-      combined_as_they_are({of_part.solid, of_tool.solid, operation, cones, valid}, options);
+  SolidTrimResult made = combined_as_they_are(
+      {of_part.solid, of_tool.solid, operation, cones, valid}, stated, options);
   turn_back(of_part, made);
   turn_back(of_tool, made);
   return made;

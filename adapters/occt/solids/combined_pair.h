@@ -26,11 +26,11 @@ inline constexpr const char* kInvalidFace = "a face is not valid by BRepCheck";
 ///
 /// Solids and the faces that are new in them are checked by BRepCheck.
 ///
-/// Where the options' tolerance leads to obstacles, the two are combined once more at the scale of
-/// the gaps between them (contact_scale.h), which is told.
+/// What stands against one division (solid_pieces.h) may not stand against the next one.
 ///
 /// part, tool   closed solids; the tool may be a sheet, which splits whatever the operation is; or
 ///              the part is one, of which faces are chosen alone
+/// stated       as of SolidDivisions
 /// cones        under faces of both and of what is made of them
 /// valid        faces that need not be checked, in any orientation
 /// returns      volumes of this step; faces as pieces of the part (`tool` is -1) and of the tool
@@ -38,7 +38,7 @@ inline constexpr const char* kInvalidFace = "a face is not valid by BRepCheck";
 ///              what stands against the result in `obstacles`, with Stopped if it is the time limit
 /// throws       BadModel if a face cannot be converted
 SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                              const IntersectionOptions& options, ConeVolumes& cones,
+                              const IntersectionOptions& options, double stated, ConeVolumes& cones,
                               const TopTools_MapOfShape& valid);
 
 }  // namespace blossom::occt

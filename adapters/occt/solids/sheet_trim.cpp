@@ -47,13 +47,14 @@ std::vector<Divider> one_by_one(const TrimTool& input, int place) {
 struct SheetWork {
   const SharedLimit& limit;
   SolidOperation operation;
+  double stated;
   ConeVolumes cones;
   TopTools_MapOfShape valid;     // faces that need not be checked
   std::vector<SolidFace> faces;  // of the sheet so far
   SolidTrimResult told;          // no faces
 
-  SheetWork(const SharedLimit& of, SolidOperation what, const TrimTool& sheet, int place)
-      : limit(of), operation(what), cones(cone_apex(sheet)) {
+  SheetWork(const SharedLimit& of, SolidOperation what, double at, const TrimTool& sheet, int place)
+      : limit(of), operation(what), stated(at), cones(cone_apex(sheet)) {
     for (std::size_t i = 0; i < sheet.faces.size(); ++i) {
       faces.push_back({sheet.faces[i], place, static_cast<int>(i)});
       valid.Add(sheet.faces[i]);
@@ -69,7 +70,8 @@ struct SheetWork {
 std::vector<SolidFace> SheetWork::divided(const Divider& by, SolidOperation how) {
   TrimTool sheet;
   for (const SolidFace& of : faces) sheet.faces.push_back(of.face);
-  SolidTrimResult made = combined_pair(sheet, by.tool, how, limit.remaining(), cones, valid);
+  SolidTrimResult made =
+      combined_pair(sheet, by.tool, how, limit.remaining(), stated, cones, valid);
   for (SolidFace& of : made.faces) {
     if (of.tool < 0) {
       const SolidFace& origin = faces[static_cast<std::size_t>(of.from)];
@@ -151,8 +153,8 @@ TotalAreas areas_of(const TrimTool& part, const std::vector<TrimTool>& tools,
 
 // The part, or the first sheet among the tools where the part is a solid.
 SheetWork work_on(const TrimTool& part, const std::vector<TrimTool>& tools, std::size_t sheet,
-                  SolidOperation operation, const SharedLimit& limit) {
-  SheetWork work(limit, operation, sheet < tools.size() ? tools[sheet] : part,
+                  SolidOperation operation, double stated, const SharedLimit& limit) {
+  SheetWork work(limit, operation, stated, sheet < tools.size() ? tools[sheet] : part,
                  sheet < tools.size() ? static_cast<int>(sheet) : -1);
   for (const TopoDS_Face& face : part.faces) work.valid.Add(face);
   for (const TrimTool& tool : tools)
@@ -174,14 +176,15 @@ bool takes_sheets(const TrimTool& part, const std::vector<TrimTool>& tools,
 }
 
 SolidTrimResult trim_sheets(const TrimTool& part, const std::vector<TrimTool>& tools,
-                            SolidOperation operation, const IntersectionOptions& options) {
+                            SolidOperation operation, double stated,
+                            const IntersectionOptions& options) {
   const SharedLimit limit(options);
   const WorkLimit own_limit(options);
   SolidTrimResult result;
   result.of_sheets = true;
   try {
     const std::size_t sheet = part.is_solid() ? first_sheet(tools) : tools.size();
-    SheetWork work = work_on(part, tools, sheet, operation, limit);
+    SheetWork work = work_on(part, tools, sheet, operation, stated, limit);
     if (part.is_solid()) work.take(one_by_one(part, -1));
     for (std::size_t i = 0; i < tools.size(); ++i)
       if (i != sheet) work.take(one_by_one(tools[i], static_cast<int>(i)));

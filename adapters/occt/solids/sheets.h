@@ -42,10 +42,11 @@ std::size_t first_sheet(const std::vector<TrimTool>& tools);
 bool takes_sheets(const TrimTool& part, const std::vector<TrimTool>& tools,
                   SolidOperation operation);
 
-/// As `trim_solids`, where `takes_sheets` says so and nothing is misplaced, and of the tolerances
-/// that are stated. Each tool, and each
+/// As `trim_solids`, where `takes_sheets` says so and nothing is misplaced. Each tool, and each
 /// solid of it, divides what those before it left.
+/// stated   as of SolidDivisions
 SolidTrimResult trim_sheets(const TrimTool& part, const std::vector<TrimTool>& tools,
-                            SolidOperation operation, const IntersectionOptions& options);
+                            SolidOperation operation, double stated,
+                            const IntersectionOptions& options);
 
 }  // namespace blossom::occt

@@ -19,6 +19,7 @@
 #include "adapters/occt/solids/curve_edges.h"
 #include "adapters/occt/solids/sheet_ends.h"
 #include "adapters/occt/solids/solid_loose_ends.h"
+#include "adapters/occt/solids/tolerances/contact_scale.h"
 #include "adapters/occt/solids/tolerances/stated_tolerance.h"
 #include "adapters/occt/solids/touching_curves.h"
 #include "adapters/occt/splitting/common_edges.h"
@@ -347,9 +348,6 @@ bool attempt(const char* what, const WorkLimit& limit, SolidPieces& result, cons
   return false;
 }
 
-// Whether edges are searched for places in which they touch faces. Most solids do without.
-enum class EdgeTouches { LeftOut, Sought };
-
 void tell_thin(const CommonEdges& common, const EdgeUnion& joined, std::vector<std::string>& thin) {
   if (joined.lost_wires() > 0) thin.emplace_back("what lies in one vertex as a whole is left out");
   if (common.loosest() == 0) return;
@@ -361,8 +359,7 @@ void tell_thin(const CommonEdges& common, const EdgeUnion& joined, std::vector<s
 
 // found   of the faces
 SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
-                          EdgeTouches touches, EdgesLie lying, const IntersectionOptions& options,
-                          Pending& untold) {
+                          EdgesLie lying, const IntersectionOptions& options, Pending& untold) {
   SolidPieces result;
   const WorkLimit limit(options);
   Side side_a("part", a), side_b("tool", b);
@@ -374,7 +371,7 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
   const auto add_common_edges = [&] {
     for (const FaceIntersection& pair : found.pairs) {
       common.add(pair);
-      if (touches == EdgeTouches::Sought) common.add_touches(pair);
+      if (lying == EdgesLie::Nearby) common.add_touches(pair);
     }
     common.add_loose();
   };
@@ -418,95 +415,86 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
   return result;
 }
 
-// An attempt that leads to nothing leaves the solids as they were.
+// What leads to nothing leaves the solids as they were.
 SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
-                      EdgeTouches touches, EdgesLie lying, const IntersectionOptions& options,
-                      Pending& untold) {
+                      EdgesLie lying, const IntersectionOptions& options, Pending& untold) {
   KeptTolerances kept(a.faces);
   kept.remember(b.faces);
-  SolidPieces result = divided_alike(a, b, found, touches, lying, options, untold);
+  SolidPieces result = divided_alike(a, b, found, lying, options, untold);
   if (result.obstacles.empty()) kept.leave();
   return result;
 }
 
-SolidPieces first_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
-  const SharedLimit limit(options);
-  Pending untold;
-  const ShapeIntersection faces =
-      intersect(a.faces, b.faces, options, Extent::Extended, ArcCuts::Even);
-  IntersectionOptions left = limit.remaining();
-  left.threads = options.threads;
-  SolidPieces found =
-      pieces_of(a, b, faces, EdgeTouches::LeftOut, EdgesLie::WithinTolerance, left, untold);
-  if (found.obstacles.empty()) return found;
-  // The search for where cuts break off has no limit of its own.
-  if (limit.is_reached()) untold.curves.clear();
-  tell(untold, a, b, found);
-  return found;
-}
-
-// Those of the last attempt, if none leads to pieces.
-SolidPieces other_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
-  const SharedLimit limit(options);
-  const auto left = [&] {
-    IntersectionOptions rest = limit.remaining();
-    rest.threads = options.threads;
-    return rest;
-  };
-  const ShapeIntersection first =
-      intersect(a.faces, b.faces, options, Extent::Extended, ArcCuts::Even);
-  SolidPieces other;
-  const auto again = [&](const ShapeIntersection& faces, EdgesLie lying) {
-    Pending ignored;
-    return pieces_of(a, b, faces, EdgeTouches::Sought, lying, left(), ignored);
-  };
-  for (const EdgesLie lying : {EdgesLie::WithinTolerance, EdgesLie::WithinOwn}) {
-    if (limit.is_reached()) break;
-    other = again(first, lying);
-    if (other.obstacles.empty()) return other;
-  }
-  // Borders of surfaces that do not go on are easier to tell from those of others where these end
-  // in the same place, and curves are easier to follow where they do not go along borders of
-  // patches or through their corners.
-  for (const auto& [extent, cuts] : {std::pair{Extent::Trims, ArcCuts::Even},
-                                     {Extent::Extended, ArcCuts::Shifted},
-                                     {Extent::Trims, ArcCuts::Shifted}}) {
-    if (limit.is_reached()) break;
-    other = again(intersect(a.faces, b.faces, left(), extent, cuts), EdgesLie::WithinTolerance);
-    if (other.obstacles.empty()) return other;
-  }
-  return other;
-}
-
-// At the options' tolerance.
-SolidPieces pieces_at(const TrimTool& a, const TrimTool& b, Attempt attempt,
-                      const IntersectionOptions& options) {
-  return attempt == Attempt::First ? first_pieces(a, b, options) : other_pieces(a, b, options);
-}
+constexpr std::array kReadings{EdgesLie::WhereFacesMeet, EdgesLie::Nearby};
 
 }  // namespace
 
-SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, Attempt attempt,
-                         const IntersectionOptions& options) {
-  const SharedLimit limit(options);
-  IntersectionOptions stated = options;
-  stated.tolerances.point = stated_tolerance(a, b, options.tolerances.point);
-  SolidPieces found = pieces_at(a, b, attempt, stated);
-  if (found.obstacles.empty() || limit.is_reached() ||
-      stated.tolerances.point == options.tolerances.point)
-    return found;
-  // What one face states may be more than others are large: that is no reason to refuse what is
-  // clear without it.
-  IntersectionOptions left = limit.remaining();
-  left.threads = options.threads;
-  SolidPieces finer = pieces_at(a, b, attempt, left);
-  if (!finer.obstacles.empty()) return found;
-  finer.status = weaker(finer.status, Status::Tolerance);
+SolidDivisions::SolidDivisions(const TrimTool& a, const TrimTool& b, double stated,
+                               const IntersectionOptions& options)
+    : a_(a),
+      b_(b),
+      options_(options),
+      stated_(std::max(stated, stated_tolerance(a, b, options.tolerances.point))),
+      tolerance_(stated_) {}
+
+// At the tolerance of this look.
+IntersectionOptions SolidDivisions::left() const {
+  IntersectionOptions rest = limit_.remaining();
+  rest.threads = options_.threads;
+  rest.tolerances.point = tolerance_;
+  return rest;
+}
+
+double SolidDivisions::other_tolerance() const {
+  const double point = options_.tolerances.point;
+  const double reach = kLooseReach * kLooseReach * point;
+  return stated_ != point ? point : contact_scale(contact_gaps(a_, b_, reach, limit_), point);
+}
+
+// Intersects the faces for the next look; false if there is none.
+bool SolidDivisions::look() {
+  Extent extent = Extent::Extended;
+  switch (looks_++) {
+    case 0: break;
+    case 1:
+      tolerance_ = other_tolerance();
+      if (tolerance_ != stated_) break;
+      ++looks_;
+      [[fallthrough]];
+    case 2: extent = Extent::Trims; break;
+    default: return false;
+  }
+  faces_ = intersect(a_.faces, b_.faces, left(), extent);
+  return true;
+}
+
+void SolidDivisions::tell_tolerance(SolidPieces& pieces) const {
+  if (tolerance_ == stated_) return;
   std::ostringstream text;
-  text << "what the faces state to be uncertain, up to " << stated.tolerances.point
-       << ", may be apart in the result";
-  finer.thin.push_back(text.str());
-  return finer;
+  if (stated_ > tolerance_)
+    text << "what the inputs state to be uncertain, up to " << stated_
+         << ", may be apart in the result";
+  else
+    text << "what is nearer to each other than " << tolerance_ << " counts as one";
+  pieces.thin.push_back(text.str());
+  pieces.status = weaker(pieces.status, Status::Tolerance);
+}
+
+std::optional<SolidPieces> SolidDivisions::next() {
+  if (readings_ > 0 && limit_.is_reached()) return std::nullopt;
+  const std::size_t reading = readings_ % kReadings.size();
+  if (reading == 0 && !look()) return std::nullopt;
+  ++readings_;
+  Pending untold;
+  SolidPieces found = pieces_of(a_, b_, faces_, kReadings[reading], left(), untold);
+  if (found.obstacles.empty()) {
+    tell_tolerance(found);
+  } else if (readings_ == 1) {  // what stands against others is not told
+    // The search for where cuts break off has no limit of its own.
+    if (limit_.is_reached()) untold.curves.clear();
+    tell(untold, a_, b_, found);
+  }
+  return found;
 }
 
 }  // namespace blossom::occt

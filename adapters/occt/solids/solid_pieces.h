@@ -3,9 +3,12 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/solid_sides.h"
 #include "adapters/occt/splitting/trim_sides.h"
 #include "core/surface_intersection.h"
@@ -23,12 +26,6 @@ struct SolidPieces {
   double between = 0;                  ///< about the volume between such pieces, cubic model units
 };
 
-/// What of the work is done: as a rule, or what comes after that where it led to obstacles.
-enum class Attempt {
-  First,   ///< the faces as they are, and edges where the faces' intersection tells of them
-  Others,  ///< edges' own contacts, their own tolerances, and surfaces cut elsewhere, one by one
-};
-
 /// Splits the faces of two solids along each other.
 ///
 /// Every intersection curve becomes edges that pieces of both solids share, with curves in the
@@ -42,8 +39,44 @@ enum class Attempt {
 /// while the pieces round it fit together. An edge that one side has already along a curve, as a
 /// seam that it touches, takes the place of the other side's.
 ///
-/// throws   BadModel if a face cannot be converted
-SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, Attempt attempt,
-                         const IntersectionOptions& options);
+/// What is one is decided at one tolerance: what the inputs state, or what is asked for if that is
+/// more. One intersection of the faces is read in two ways, one after the other: edges lie where
+/// faces that meet say so, or wherever they are near (common_edges.h). Where both lead to obstacles
+/// there are two more looks at the faces:
+///
+///   (1) at another tolerance, which is told: what is asked for if they state more, since what
+///       one of them states may be more than others are large; else the scale of the gaps between
+///       the solids (contact_scale.h)
+///   (2) at that, with surfaces that end with the trims: their borders are easier to tell from
+///   those
+///       of others that end in the same place than what goes on beyond both
+class SolidDivisions {
+ public:
+  /// stated          what the inputs state besides their faces; 0: nothing. Model units
+  /// a, b, options   are kept by reference
+  SolidDivisions(const TrimTool& a, const TrimTool& b, double stated,
+                 const IntersectionOptions& options);
+
+  /// What the next reading leads to; nothing if there is none, or if the limit is reached after the
+  /// first one.
+  /// throws   BadModel if a face cannot be converted
+  std::optional<SolidPieces> next();
+
+ private:
+  IntersectionOptions left() const;
+  double other_tolerance() const;
+  bool look();
+  void tell_tolerance(SolidPieces& pieces) const;
+
+  const TrimTool& a_;
+  const TrimTool& b_;
+  const IntersectionOptions& options_;
+  const SharedLimit limit_{options_};
+  std::size_t readings_ = 0;
+  int looks_ = 0;
+  double stated_;     // or asked for
+  double tolerance_;  // of `faces_`
+  ShapeIntersection faces_;
+};
 
 }  // namespace blossom::occt

@@ -57,7 +57,7 @@ CommonEdges::CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<To
     : a_(a),
       b_(b),
       options_(options),
-      reach_((lying == EdgesLie::WithinOwn ? kLooseReach : kLiesReach) * options.tolerances.point),
+      reach_((lying == EdgesLie::Nearby ? kLooseReach : kLiesReach) * options.tolerances.point),
       lying_(lying),
       in_a_(a.size()),
       in_b_(b.size()) {
@@ -110,7 +110,7 @@ void CommonEdges::add_loose() {
 }
 
 double CommonEdges::most_reach(const TopoDS_Edge& edge) const {
-  return lying_ == EdgesLie::WithinTolerance ? reach_
+  return lying_ == EdgesLie::WhereFacesMeet ? reach_
                                              : std::max(reach_, BRep_Tool::Tolerance(edge));
 }
 

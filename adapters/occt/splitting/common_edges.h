@@ -57,16 +57,16 @@ struct EdgeBlur {
   Interval at;
 };
 
-/// What lies in a face of the other shape.
+/// What of edges is taken for lying in a face of the other shape.
 enum class EdgesLie {
-  WithinTolerance,  ///< parts of edges
-  WithinOwn,  ///< what keeps within `kLooseReach`, and whole edges within their own tolerances
+  WhereFacesMeet,  ///< what keeps within `kLiesReach`
+  Nearby,          ///< what keeps within `kLooseReach`, and whole edges within their own tolerances
 };
 
 class CommonEdges {
  public:
   CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-              const IntersectionOptions& options, EdgesLie lying = EdgesLie::WithinTolerance);
+              const IntersectionOptions& options, EdgesLie lying = EdgesLie::WhereFacesMeet);
 
   /// Looks at the edges of two faces that meet: at all where the faces coincide, where intersection
   /// curves run along some, or some seem to lie in the other face.
