@@ -47,9 +47,8 @@ struct SolidPieces {
 ///   (1) at another tolerance, which is told: what is asked for if they state more, since what
 ///       one of them states may be more than others are large; else the scale of the gaps between
 ///       the solids (contact_scale.h)
-///   (2) at that, with surfaces that end with the trims: their borders are easier to tell from
-///   those
-///       of others that end in the same place than what goes on beyond both
+///   (2) at that, with surfaces that end with the trims: borders that end in the same place
+///       are easier to tell apart than what goes on beyond them
 class SolidDivisions {
  public:
   /// stated          what the inputs state besides their faces; 0: nothing. Model units

@@ -26,9 +26,8 @@ bool ends_beside_node(const SurfaceIntersection& found);
 bool may_be_settled(const SurfaceIntersection& found, double finer_tolerance);
 
 /// True if the answer at a finer tolerance decides what a search left open. It does if
-///   (1) the finer answer is complete, and nothing overlaps in the coarser one; where branches
-///   ended
-///       beside a node it may list contacts, but no node
+///   (1) the finer answer is complete, and nothing overlaps in the coarser one; where
+///       branches ended beside a node it may list contacts, but no node
 ///   (2) each open place may hold one of the finer curves or points
 ///   (3) each other place holds one, or the surfaces come within the finer tolerance there; where
 ///       they do not, it is a near miss, which the finer search cannot see
