@@ -162,9 +162,8 @@ std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& t
 /// options       its time limit is that of the whole work; when it is reached, volumes and solids
 ///               too are left with the obstacle and the status Stopped
 /// part, tools   each one or several solids that do not overlap, or a sheet; at least one tool
-/// throws        InvalidInput with what `misplaced_sheet` tells, or if there is no tool; BadModel
-/// if
-///               a face cannot be converted
+/// throws        InvalidInput with what `misplaced_sheet` tells, or if there is no tool;
+///               BadModel if a face cannot be converted
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation, const IntersectionOptions& options = {});
 

@@ -96,7 +96,8 @@ std::string mesh_fill_text(const std::string& file, const FilledMesh& filled) {
   if (filled.judged) {
     text << (filled.judged->closed() ? "  closed now, volume " : "  not closed");
     if (filled.judged->closed()) text << filled.judged->volume;
-    text << ", " << counted(filled.judged->crossing_pairs.size(), "pair") << " of triangles that cross\n";
+    text << ", " << counted(filled.judged->crossing_pairs.size(), "pair")
+         << " of triangles that cross\n";
   }
   return text.str() + notes_text(filled.mesh);
 }

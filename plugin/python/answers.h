@@ -109,9 +109,8 @@ Answer fill(const SharedModel& model, const FillWish& wish, const Control& contr
 Answer subdivide(const SharedModel& model, const nets::Cut& cut, const Control& control);
 /// Each face, or edge, as one B-spline.
 Answer subdivide_whole(const SharedModel& model, const nets::WholeCut& cut, const Control& control);
-/// to   "bezier", "monomial" or "triangles"; the control's tolerance is how far borders may lie
-/// from
-///      trims
+/// to   "bezier", "monomial" or "triangles"; the control's tolerance is how far borders
+///      may lie from trims
 Answer convert(const SharedModel& model, const std::string& to, const Control& control);
 
 /// The answer with a report that is made already, and the shape of a model; none if that is null.

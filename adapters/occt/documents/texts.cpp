@@ -51,8 +51,8 @@ const char* schema_for(const Document& document) {
   return none ? "AP214IS" : "AP242DIS";
 }
 
-/// Open CASCADE writes letters as single bytes, and none beyond Latin-1: those of UTF-8 are given to
-/// it as such bytes.
+/// Open CASCADE writes letters as single bytes, and none beyond Latin-1: those of UTF-8 are given
+/// to it as such bytes.
 void split_letters(const Document& document) {
   Handle(TDataStd_Name) name;
   for (TDF_ChildIterator label(document.main(), true); label.More(); label.Next())

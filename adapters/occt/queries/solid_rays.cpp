@@ -18,8 +18,7 @@ std::optional<std::vector<ElementaryFace::Hit>> certain(const std::vector<ShapeH
   std::vector<ElementaryFace::Hit> hits;
   for (const auto& [hit, on] : all) {
     const bool is_proven = hit.status == Status::Complete || hit.approximate;
-    if (!is_proven || hit.grazing || hit.mark != 0 || !on.IsNull() ||
-        hit.first != hit.last)
+    if (!is_proven || hit.grazing || hit.mark != 0 || !on.IsNull() || hit.first != hit.last)
       return {};
     hits.push_back({hit.parameter, hit.normal});
   }

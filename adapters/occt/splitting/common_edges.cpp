@@ -110,8 +110,7 @@ void CommonEdges::add_loose() {
 }
 
 double CommonEdges::most_reach(const TopoDS_Edge& edge) const {
-  return lying_ == EdgesLie::WhereFacesMeet ? reach_
-                                             : std::max(reach_, BRep_Tool::Tolerance(edge));
+  return lying_ == EdgesLie::WhereFacesMeet ? reach_ : std::max(reach_, BRep_Tool::Tolerance(edge));
 }
 
 void CommonEdges::ask_limit() const {

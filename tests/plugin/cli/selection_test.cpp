@@ -175,8 +175,8 @@ TEST_F(Selectors, SayWhatBecomesOfOtherParts) {
   const Finished two = blossom({"blend", "fillet", file_ + "#Plate,Shaft", "--edges", "all",
                                 "--radius", "0.1", "-o", folder_ / "two.step"});
   EXPECT_NE(two.out.find("1 other part is written as it was"), std::string::npos) << two.out;
-  const Finished all = blossom({"blend", "fillet", file_, "--edges", "all", "--radius", "0.1", "-o",
-                                folder_ / "all.step"});
+  const Finished all = blossom(
+      {"blend", "fillet", file_, "--edges", "all", "--radius", "0.1", "-o", folder_ / "all.step"});
   EXPECT_EQ(all.out.find("other part"), std::string::npos) << all.out;
   const Finished cut = blossom({"trim", file_ + "#Lid", "--plane", "0,0,9.5,0,0,1", "--solid",
                                 "cut", "-o", folder_ / "cut.step"});

@@ -214,7 +214,9 @@ TEST(OtherFormats, KeepNamesOfAllLettersInIges) {
   std::string text = testing::content(folder / "out.igs");
   const std::size_t place = text.find("12HZahnrad \u00D840;");
   ASSERT_NE(place, std::string::npos);
-  text.replace(place, 16, "11HZahnrad \xD8" "40; ");
+  text.replace(place, 16,
+               "11HZahnrad \xD8"
+               "40; ");
   testing::write_content(folder / "latin.igs", text);
   EXPECT_EQ(read_model(folder / "latin.igs").part_paths().at(0), "Zahnrad \u00D840");
 }

@@ -42,8 +42,7 @@ TEST(SolidRays, PassThroughSurfacesThatAreApproximated) {
   for (int i = 1; i <= 3; ++i)
     for (int j = 1; j <= 3; ++j) poles(i, j) = {i - 2.0, j - 2.0, i == 2 && j == 2 ? 1.0 : 0.0};
   const Handle(Geom_Surface) wave = new Geom_BezierSurface(poles);
-  SolidRays rays(
-      {BRepBuilderAPI_MakeFace(new Geom_OffsetSurface(wave, 0.25), 1e-7).Face()}, 1e-7);
+  SolidRays rays({BRepBuilderAPI_MakeFace(new Geom_OffsetSurface(wave, 0.25), 1e-7).Face()}, 1e-7);
   EXPECT_EQ(rays.is_inside({0.2, 0.1, 0}, {0.1, 0.2, 1}), true);
   EXPECT_EQ(rays.is_inside({0.2, 0.1, 0}, {0.1, 0.2, -1}), false);
   EXPECT_EQ(rays.is_inside({-3, 0, 0.5}, {1, 0, 0}), std::nullopt);  // touches the top
