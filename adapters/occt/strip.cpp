@@ -88,7 +88,7 @@ struct Candidate {
 };
 
 Candidate side_candidate(const BezierSurface& surface, SurfaceSide side) {
-  return {{.start = {.side = side}}, border_of(surface, side, kMostStripOrder)};
+  return {{.start = {.side = side}}, border_of(surface, side, kMaxStripOrder)};
 }
 
 Candidate edge_candidate(const TopoDS_Edge& edge, const TopoDS_Face& face) {

@@ -10,6 +10,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom_Plane.hxx>
 #include <TopExp.hxx>
+#include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/edge_borders.h"
@@ -25,7 +26,7 @@ namespace {
 constexpr int kChecksPerNode = 2;
 
 /// Degrees of fits are tried up to this before a piece is halved.
-constexpr int kMostPieceDegree = 7;
+constexpr int kMaxPieceDegree = 7;
 
 /// Directions across an edge that differ by less at a knot, radians, belong to no corner: knots of
 /// files join curves to 1e-7 and worse.
@@ -99,7 +100,7 @@ Row homogeneous_row(const BezierCurve& curve, double weight) {
 
 /// Derivatives out of the face.
 std::array<Vec3, 4> outward_at(const SideSampler& sampler, double x) {
-  std::array<Vec3, 4> derivatives = sampler.at(x, kMostStripOrder).derivatives;
+  std::array<Vec3, 4> derivatives = sampler.at(x, kMaxStripOrder).derivatives;
   derivatives[1] = -derivatives[1];
   derivatives[3] = -derivatives[3];
   return derivatives;
@@ -129,7 +130,7 @@ FittedPiece fitted(const SideSampler& sampler, double reach, const Interval& x, 
 /// The lowest degree that is near enough; nothing if there is none.
 std::optional<FittedPiece> best_fit(const SideSampler& sampler, double reach, const Interval& x,
                                     const Miss& most) {
-  for (int degree = 1; degree <= kMostPieceDegree; ++degree)
+  for (int degree = 1; degree <= kMaxPieceDegree; ++degree)
     if (FittedPiece piece = fitted(sampler, reach, x, degree); piece.off.is_within(most))
       return piece;
   return std::nullopt;
@@ -159,8 +160,8 @@ StripBorder fitted_border(const HoleEdge& edge, const std::vector<double>& break
       border.error = std::max(border.error, piece->off.point);
       continue;
     }
-    if (border.rows.spans.size() + left.size() >= kMostFitSpans)
-      throw BadModel("the edge is not followed by " + std::to_string(kMostFitSpans) +
+    if (border.rows.spans.size() + left.size() >= kMaxFitSpans)
+      throw BadModel("the edge is not followed by " + std::to_string(kMaxFitSpans) +
                      " polynomials");
     left.push_back({at(x, 0.5), x.to});
     left.push_back({x.from, at(x, 0.5)});
@@ -173,7 +174,7 @@ StripBorder fitted_border(const HoleEdge& edge, const std::vector<double>& break
 
 StripBorder border_along(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   if (const auto collar = iso_collar(edge, face); collar && collar->off == 0) {
-    StripBorder border{border_of(collar->surface, collar->side, kMostStripOrder), true};
+    StripBorder border{border_of(collar->surface, collar->side, kMaxStripOrder), true};
     border.rows.name = "edge";
     if (collar->backward) reverse(border.rows);
     return border;

@@ -22,7 +22,7 @@ struct StripBorder {
 ///
 /// edge     as the face has it
 /// throws   BadModel if the edge has no curve in the face, has a corner, or is not followed
-///          by kMostFitSpans polynomials
+///          by kMaxFitSpans polynomials
 StripBorder strip_border(const TopoDS_Edge& edge, const TopoDS_Face& face);
 
 /// How near fits come, as parts of half the edge's chord: points, so that second derivatives along
@@ -32,6 +32,6 @@ inline constexpr double kFitPoint = 1e-11;
 inline constexpr double kFitSlope = 1e-8;
 
 /// Most pieces of a fit.
-inline constexpr int kMostFitSpans = 128;
+inline constexpr int kMaxFitSpans = 128;
 
 }  // namespace blossom::occt

@@ -25,7 +25,7 @@ namespace {
 
 // Of the angle between faces: below it they hardly cross. Double precision tells normals apart to
 // 1e-16, and the root of that where they come from differences.
-constexpr double kLeastSine = 1e-8;
+constexpr double kMinSine = 1e-8;
 
 constexpr int kEvenPoints = 8;  // of a curve that may keep to edges
 
@@ -81,7 +81,7 @@ double CrossedFaces::reach_at(const SurfacePoint& of) const {
   const Vec3 normal_a = cross(on_a.du, on_a.dv), normal_b = cross(on_b.du, on_b.dv);
   const double size = norm(normal_a) * norm(normal_b);
   const double sine = size > 0 ? norm(cross(normal_a, normal_b)) / size : 1;
-  return 2 * tolerance / std::max(sine, kLeastSine);
+  return 2 * tolerance / std::max(sine, kMinSine);
 }
 
 bool follows(const IntersectionCurve& curve, const std::vector<EdgeInReach>& edges,

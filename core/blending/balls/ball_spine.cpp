@@ -20,7 +20,7 @@ constexpr double kRough = 1e-2;   // difference relative to the function: the pi
 constexpr int kMaxHalvings = 24;  // of a piece between two nodes
 // Pieces of a track that are looked at, on average between two nodes: where determinants are noise,
 // as beside points without a normal, no piece is ever smooth enough, and halving would not end.
-constexpr std::size_t kMostPieces = 16;
+constexpr std::size_t kMaxPieces = 16;
 // Of a determinant's size: what charts that are off by 1e-10 of their extents may make of it, with
 // room for curvatures that change a hundred times as fast.
 constexpr double kNear = 1e-8;
@@ -141,7 +141,7 @@ void CuspSearch::look(const Interval& range, int depth) {
 
 std::vector<BallCusp> CuspSearch::cusps() {
   const auto& nodes = track_.nodes();
-  pieces_left_ = kMostPieces * nodes.size();
+  pieces_left_ = kMaxPieces * nodes.size();
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     look({nodes[i].parameter, nodes[i + 1].parameter}, 0);
   std::sort(cusps_.begin(), cusps_.end(),

@@ -279,8 +279,8 @@ Strip strip_of(const Border& a, const Border& b, bool backward, const StripOptio
 Strip strip_between(const Border& a, const Border& b, const StripOptions& options) {
   check_weight(options.weight_a, "weight_a");
   check_weight(options.weight_b, "weight_b");
-  if (options.order < 1 || options.order > kMostStripOrder)
-    refuse("the order has to be 1 to " + std::to_string(kMostStripOrder) + ", got " +
+  if (options.order < 1 || options.order > kMaxStripOrder)
+    refuse("the order has to be 1 to " + std::to_string(kMaxStripOrder) + ", got " +
            std::to_string(options.order));
   const int measured = std::max(options.order, 2);
   check_border(a, measured, "a");
@@ -300,7 +300,7 @@ Strip strip_between(const BezierSurface& a, SurfaceSide side_a, const BezierSurf
                     SurfaceSide side_b, const StripOptions& options) {
   validate(a, "a");
   validate(b, "b");
-  const int order = std::clamp(options.order, 2, kMostStripOrder);
+  const int order = std::clamp(options.order, 2, kMaxStripOrder);
   return strip_between(border_of(a, side_a, order), border_of(b, side_b, order), options);
 }
 

@@ -30,11 +30,11 @@ enum class Pairing {
 };
 
 /// Highest order of a strip: the derivative of the curvature is continuous.
-inline constexpr int kMostStripOrder = 3;
+inline constexpr int kMaxStripOrder = 3;
 
 struct StripOptions {
   Pairing pairing = Pairing::Nearest;
-  int order = 1;  ///< 1 to kMostStripOrder: continuous tangent planes (G1), curvatures (G2), G3
+  int order = 1;  ///< 1 to kMaxStripOrder: continuous tangent planes (G1), curvatures (G2), G3
 
   /// Length factors: how far each surface's tangents reach into the strip, as a multiple of the
   /// mean distance between the borders over the strip's degree. Positive, dimensionless.

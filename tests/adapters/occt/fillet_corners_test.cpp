@@ -154,6 +154,34 @@ TEST(FilletCorner, IsMadeAtOnceWithAnEdgeThatComesToItAlongAnother) {
   EXPECT_EQ(made.edges.size(), 4U);
 }
 
+std::vector<int> edges_at_origin(const TopoDS_Shape& cube, double half) {
+  return edges_where(
+      cube, [half](const EdgeFacts& each) { return std::abs(norm(each.middle) - half) < 1e-6; });
+}
+
+// The nearest number of as many digits is below what the strips take at that radius.
+TEST(FilletCorner, TellsASetbackThatCanBeGiven) {
+  const TopoDS_Shape cube = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
+  const auto edges = edges_at_origin(cube, 5);
+  ASSERT_EQ(edges.size(), 3U);
+  const FilletResult near = fillet(cube, edges, {.radius = 0.77, .setback = 0.5});
+  ASSERT_EQ(near.refused.size(), 1U);
+  const std::string &cause = near.refused.front().cause, before = "it has to be ";
+  ASSERT_NE(cause.find(before), std::string::npos) << cause;
+  const double told = std::stod(cause.substr(cause.find(before) + before.size()));
+  for (const FilletRefusal& each : fillet(cube, edges, {.radius = 0.77, .setback = told}).refused)
+    EXPECT_NE(each.fault, FilletFault::Setback) << each.text();
+}
+
+// The strips take more than half of each edge, so the radius is what has to change.
+TEST(FilletCorner, TellsARadiusWhereNoSetbackFits) {
+  const TopoDS_Shape cube = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
+  const FilletResult made = fillet(cube, edges_at_origin(cube, 5), {.radius = 4.9, .setback = 4});
+  ASSERT_EQ(made.refused.size(), 1U);
+  EXPECT_EQ(made.refused.front().fault, FilletFault::Corner) << made.refused.front().text();
+  EXPECT_TRUE(made.refused.front().largest.has_value());
+}
+
 // The strips are cylinders, each as long as its edge without the setback.
 TEST(FilletCorner, IsSetBackAsFarAsIsAskedFor) {
   const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 11., 12.).Shape();

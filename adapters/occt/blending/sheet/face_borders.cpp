@@ -12,6 +12,7 @@
 #include <Geom_Curve.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/points.h"
@@ -25,8 +26,8 @@
 namespace blossom::occt {
 namespace {
 
-// Places of an edge at which it is compared with another one, both ends apart. Two curves of degree
-// three that are as near at five places and their ends are so everywhere.
+// Places of an edge at which it is compared with another one, both ends apart. That is a choice and
+// no proof: edges of many spans may be as near at all of them and yet part between two.
 constexpr int kCompared = 5;
 
 TopoDS_Edge forward(const TopoDS_Edge& edge) { return TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)); }
@@ -48,9 +49,11 @@ class Slivers {
       : borders_(borders), body_(body), tolerance_(tolerance) {}
 
   std::vector<ReplacedEdge> closed() {
-    for (std::size_t i = 0; i < borders_.size(); ++i)
-      while (split_one(borders_[i]) || close_one(borders_[i])) {
+    for (FaceBorder& border : borders_) {
+      while (split_one(border)) {
       }
+      close_pairs(border);
+    }
     return std::move(replaced_);
   }
 
@@ -60,7 +63,7 @@ class Slivers {
   }
   bool runs_along(const Run& a, const Interval& part, const Run& b, double reach) const;
   bool is_sliver(const TopoDS_Edge& a, const TopoDS_Edge& b) const;
-  bool close_one(FaceBorder& border);
+  void close_pairs(FaceBorder& border);
   std::optional<double> split_at(const TopoDS_Edge& edge, const TopoDS_Edge& beside,
                                  const TopoDS_Vertex& vertex) const;
   bool split_one(FaceBorder& border);
@@ -91,27 +94,51 @@ bool Slivers::is_sliver(const TopoDS_Edge& a, const TopoDS_Edge& b) const {
          runs_along(run_a, run_a.range, run_b, reach(a, b));
 }
 
-// Whether an edge may be one of two along each other: it has a length, and its face is on one side
-// of it.
-bool is_side(const FaceBorder& border, std::size_t of) {
-  const TopoDS_Edge& edge = border.edges[of];
-  return !BRep_Tool::Degenerated(edge) &&
-         std::ranges::count_if(border.edges,
-                               [&](const TopoDS_Edge& each) { return each.IsSame(edge); }) == 1;
+// Places of the edges that may be one of two along each other: they have a length, and the face is
+// on one side of them.
+std::vector<std::size_t> sides_of(const FaceBorder& border) {
+  TopTools_IndexedMapOfShape numbers;
+  std::vector<int> uses(border.edges.size() + 1);
+  for (const TopoDS_Edge& edge : border.edges) ++uses[static_cast<std::size_t>(numbers.Add(edge))];
+  std::vector<std::size_t> sides;
+  for (std::size_t i = 0; i < border.edges.size(); ++i) {
+    const TopoDS_Edge& edge = border.edges[i];
+    if (!BRep_Tool::Degenerated(edge) &&
+        uses[static_cast<std::size_t>(numbers.FindIndex(edge))] == 1)
+      sides.push_back(i);
+  }
+  return sides;
 }
 
-bool Slivers::close_one(FaceBorder& border) {
-  for (std::size_t i = 0; i < border.edges.size(); ++i)
-    for (std::size_t k = i + 1; k < border.edges.size(); ++k) {
-      TopoDS_Edge kept = border.edges[i], lost = border.edges[k];
-      if (!is_side(border, i) || !is_side(border, k) || !is_sliver(kept, lost)) continue;
-      if (body_.number(lost) > 0) std::swap(kept, lost);
-      border.edges.erase(border.edges.begin() + static_cast<std::ptrdiff_t>(k));
-      border.edges.erase(border.edges.begin() + static_cast<std::ptrdiff_t>(i));
-      replace(forward(lost), forward(kept), kept.Orientation() == lost.Orientation());
-      return true;
+// Edges are compared with those alone that begin where they end: a face may have thousands.
+void Slivers::close_pairs(FaceBorder& border) {
+  const std::vector<std::size_t> sides = sides_of(border);
+  TopTools_IndexedMapOfShape starts;
+  std::vector<std::vector<std::size_t>> begins(sides.size() + 1);  // edges by start; none at 0
+  for (const std::size_t each : sides) {
+    const int start = starts.Add(TopExp::FirstVertex(border.edges[each], Standard_True));
+    begins[static_cast<std::size_t>(start)].push_back(each);
+  }
+  std::vector<bool> is_closed(border.edges.size());
+  std::vector<std::pair<TopoDS_Edge, TopoDS_Edge>> pairs;
+  for (const std::size_t i : sides) {
+    if (is_closed[i]) continue;
+    const int end = starts.FindIndex(TopExp::LastVertex(border.edges[i], Standard_True));
+    for (const std::size_t k : begins[static_cast<std::size_t>(end)]) {
+      if (k <= i || is_closed[k] || !is_sliver(border.edges[i], border.edges[k])) continue;
+      is_closed[i] = is_closed[k] = true;
+      pairs.emplace_back(border.edges[i], border.edges[k]);
+      break;
     }
-  return false;
+  }
+  std::vector<TopoDS_Edge> left;
+  for (std::size_t i = 0; i < border.edges.size(); ++i)
+    if (!is_closed[i]) left.push_back(border.edges[i]);
+  border.edges = std::move(left);
+  for (auto& [kept, lost] : pairs) {
+    if (body_.number(lost) > 0) std::swap(kept, lost);
+    replace(forward(lost), forward(kept), kept.Orientation() == lost.Orientation());
+  }
 }
 
 // Where a vertex of the one edge divides the other, if they run along each other on one side of it.
@@ -137,16 +164,17 @@ std::optional<double> Slivers::split_at(const TopoDS_Edge& edge, const TopoDS_Ed
 }
 
 bool Slivers::split_one(FaceBorder& border) {
-  std::vector<Bnd_Box> boxes;
-  for (const TopoDS_Edge& edge : border.edges) {
-    boxes.push_back(BRep_Tool::Degenerated(edge) ? Bnd_Box() : bounds_of(edge));
+  const std::vector<std::size_t> sides = sides_of(border);
+  std::vector<Bnd_Box> boxes;  // by place among the sides
+  for (const std::size_t each : sides) {
+    boxes.push_back(bounds_of(border.edges[each]));
     boxes.back().Enlarge(tolerance_);
   }
-  for (std::size_t i = 0; i < border.edges.size(); ++i)
-    for (std::size_t k = 0; k < border.edges.size(); ++k) {
-      if (i == k || boxes[i].IsOut(boxes[k]) || !is_side(border, i) || !is_side(border, k))
-        continue;
-      const TopoDS_Edge edge = forward(border.edges[i]), beside = forward(border.edges[k]);
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (i == k || boxes[i].IsOut(boxes[k])) continue;
+      const TopoDS_Edge edge = forward(border.edges[sides[i]]);
+      const TopoDS_Edge beside = forward(border.edges[sides[k]]);
       for (const TopoDS_Vertex& vertex : {TopExp::FirstVertex(beside), TopExp::LastVertex(beside)})
         if (const auto t = split_at(edge, beside, vertex)) {
           split(edge, *t, vertex);

@@ -5,9 +5,13 @@
 #include <limits>
 #include <vector>
 
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/sheet/filleting.h"
 #include "adapters/occt/blending/strips/ball_supports.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
+#include "core/base/errors.h"
 #include "core/blending/balls/largest_radius.h"
 #include "core/plane/planar_curves.h"
 
@@ -61,9 +65,27 @@ struct Room {
   int edge = 0;
 };
 
-// Nothing where there is no strip.
-std::optional<Room> room_of(const BodyEdges& body, int edge, bool concave, double radius,
-                            const Borders& borders) try {
+// What is looked for, or nothing where it cannot be made: a hint that fails is no reason to end the
+// whole fillet. That the time is up is.
+template <class Look>
+auto unless_it_fails(const Look& look) -> decltype(look()) {
+  try {
+    return guarded(kFilleting, look);
+  } catch (const FilletRefused&) {
+    return std::nullopt;
+  } catch (const LimitFailure&) {
+    throw;
+  } catch (const Failure&) {
+    return std::nullopt;
+  } catch (const BadModel&) {
+    return std::nullopt;
+  } catch (const InvalidInput&) {  // of the core: numbers that make no geometry
+    return std::nullopt;
+  }
+}
+
+std::optional<Room> room_of_strip(const BodyEdges& body, int edge, bool concave, double radius,
+                                  const Borders& borders) {
   const auto strip = swept_strip(body, edge, concave, radius);
   if (!strip) return std::nullopt;
   Room room;
@@ -77,8 +99,12 @@ std::optional<Room> room_of(const BodyEdges& body, int edge, bool concave, doubl
     }
   }
   return room;
-} catch (const FilletRefused&) {
-  return std::nullopt;
+}
+
+// Nothing where there is no strip.
+std::optional<Room> room_of(const BodyEdges& body, int edge, bool concave, double radius,
+                            const Borders& borders) {
+  return unless_it_fails([&] { return room_of_strip(body, edge, concave, radius, borders); });
 }
 
 // The largest radius of which there is a strip, which a smaller one has and a larger one has not.
@@ -130,10 +156,7 @@ std::optional<FilletLimit> swept_limit(const BodyEdges& body, int edge, bool con
   return FilletLimit{low, "edge " + std::to_string(cause) + ", which the contact reaches", true};
 }
 
-}  // namespace
-
-std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool concave,
-                                        double most) try {
+std::optional<FilletLimit> limit_of(const BodyEdges& body, int edge, bool concave, double most) {
   Borders borders;
   add_borders(body, edge, true, borders.of, borders.edges);
   add_borders(body, edge, false, borders.of, borders.edges);
@@ -151,8 +174,13 @@ std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool co
     cause = "edge " + std::to_string(borders.edges[static_cast<std::size_t>(found->border)]) +
             ", which the contact reaches";
   return FilletLimit{found->radius, cause, found->limit == RadiusLimit::Border};
-} catch (const FilletRefused&) {
-  return std::nullopt;  // no ball is small enough: the refusal stands without it
+}
+
+}  // namespace
+
+std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool concave,
+                                        double most) {
+  return unless_it_fails([&] { return limit_of(body, edge, concave, most); });
 }
 
 }  // namespace blossom::occt

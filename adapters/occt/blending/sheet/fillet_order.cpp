@@ -129,12 +129,19 @@ std::map<std::size_t, int> Order::groups_after(const Rules& rules) const {
 
 // The classes that come after each by rules, also over others.
 std::map<std::size_t, std::set<std::size_t>> Order::led_to(const Rules& rules) const {
-  std::map<std::size_t, std::set<std::size_t>> to;
-  for (const auto& [a, b] : rules) to[class_of(a)].insert(class_of(b));
-  for (bool changed = true; std::exchange(changed, false);)
-    for (auto& [from, after] : to)
-      for (const std::size_t each : std::set(after))
-        for (const std::size_t next : to[each]) changed = after.insert(next).second || changed;
+  std::map<std::size_t, std::set<std::size_t>> next, to;
+  for (const auto& [a, b] : rules) next[class_of(a)].insert(class_of(b));
+  for (const auto& [from, first] : next) {
+    std::set<std::size_t>& after = to[from];
+    std::vector<std::size_t> open(first.begin(), first.end());
+    while (!open.empty()) {
+      const std::size_t each = open.back();
+      open.pop_back();
+      if (!after.insert(each).second) continue;
+      if (const auto known = next.find(each); known != next.end())
+        open.insert(open.end(), known->second.begin(), known->second.end());
+    }
+  }
   return to;
 }
 
@@ -151,22 +158,26 @@ Order::Rules Order::settled(const Rules& rules, const FilletEdges& edges) const 
   const auto is_circular = [&](const std::pair<int, int>& rule) {
     return goes(class_of(rule.second), class_of(rule.first));
   };
+  const auto circle_of = [&](std::size_t of) {  // the least class that it leads to and back
+    std::size_t least = of;
+    for (const std::size_t each : to.at(of))
+      if (goes(each, of)) least = std::min(least, each);
+    return least;
+  };
+  const auto is_of_two_kinds = [&](const std::pair<int, int>& rule) {
+    return is_circular(rule) && edges.at(rule.first) != edges.at(rule.second);
+  };
+  // By circle: how many more rules ask for the concave kind first than for the convex one.
+  std::map<std::size_t, int> balances;
+  for (const auto& rule : rules)
+    if (is_of_two_kinds(rule))
+      balances[circle_of(class_of(rule.first))] += edges.at(rule.first) ? 1 : -1;
   Rules kept;
   for (const auto& rule : rules) {
     if (class_of(rule.first) == class_of(rule.second)) continue;  // they are made at once
     const bool concave = edges.at(rule.first);
-    if (!is_circular(rule) || concave == edges.at(rule.second)) {
-      kept.push_back(rule);
-      continue;
-    }
-    int more = 0;  // of the rules in the same circle, by kind
-    for (const auto& other : rules)
-      if (is_circular(other) && edges.at(other.first) != edges.at(other.second) &&
-          (class_of(other.first) == class_of(rule.first) ||
-           (goes(class_of(rule.first), class_of(other.first)) &&
-            goes(class_of(other.first), class_of(rule.first)))))
-        more += edges.at(other.first) == concave ? 1 : -1;
-    if (more > 0 || (more == 0 && concave)) kept.push_back(rule);
+    const int balance = is_of_two_kinds(rule) ? balances.at(circle_of(class_of(rule.first))) : 0;
+    if (!is_of_two_kinds(rule) || (concave ? balance >= 0 : balance < 0)) kept.push_back(rule);
   }
   return kept;
 }

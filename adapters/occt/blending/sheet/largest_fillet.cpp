@@ -15,18 +15,18 @@ namespace {
 // a contact would run along a border, or a section have no length; the last where what is left
 // between is below the tolerances of the model.
 constexpr double kJustBelow[] = {0, 2e-8, 1e-6, 1e-3};
-constexpr double kJustAbove = 1e-3;   // relative: what works there was not stopped by the limit
-constexpr int kMostLimits = 4;        // edges whose limits are followed, one after the other
-constexpr int kMostMeetings = 4;      // steps to where blends meet in an edge
-constexpr double kFall = 2;           // from radius to radius until one works
-constexpr double kLeastShare = 1e-3;  // of the radius asked for: a smaller one is no help
+constexpr double kJustAbove = 1e-3;       // relative: what works there was not stopped by the limit
+constexpr int kMaxLimits = 4;             // edges whose limits are followed, one after the other
+constexpr int kMaxMeetings = 4;           // steps to where blends meet in an edge
+constexpr double kFall = 2;               // from radius to radius until one works
+constexpr double kMinRadiusShare = 1e-3;  // of the radius asked for: a smaller one is no help
 // Ratios of the bracket's ends: as many digits as are told, or near enough where trials take long.
 constexpr double kTold = 1 + 1e-6;
 constexpr double kBracketed = 1.01;
 // Edges that trials round all together until the bracket is near enough, about one second of work,
 // and until it stays as it is, about ten.
 constexpr std::size_t kManyEdges = 100;
-constexpr std::size_t kMostEdges = 1000;
+constexpr std::size_t kMaxEdges = 1000;
 constexpr std::size_t kRollsInWork = 4;  // that cost about as much as one edge that is rounded
 
 class RadiusTrials {
@@ -43,7 +43,7 @@ class RadiusTrials {
   bool works(double radius);
   bool rolls(double radius);
   std::size_t done() const { return tried_ + rolled_ / kRollsInWork; }
-  bool may_go_on() const { return done() < kMostEdges; }
+  bool may_go_on() const { return done() < kMaxEdges; }
   bool is_open(double low) const {
     return high_ > (done() < kManyEdges ? kTold : kBracketed) * low && may_go_on();
   }
@@ -99,10 +99,10 @@ std::optional<FilletLimit> RadiusTrials::limit() const {
 
 // Whether just below one of the limits all edges can be rounded.
 bool RadiusTrials::follow_limits() {
-  for (int i = 0; i < kMostLimits && may_go_on(); ++i) {
+  for (int i = 0; i < kMaxLimits && may_go_on(); ++i) {
     const int followed = why_.edge;
     const auto next = limit();
-    if (!next || next->radius < kLeastShare * asked_) return false;
+    if (!next || next->radius < kMinRadiusShare * asked_) return false;
     for (const double below : kJustBelow) {
       if (below == 0 && !next->reached) continue;
       if (why_.edge != followed) break;  // the limit of that edge is looked at next
@@ -119,7 +119,7 @@ bool RadiusTrials::follow_limits() {
 // Whether blends that take too much of an edge together can be made where they just meet: what they
 // take grows with the radius, in planes just so.
 bool RadiusTrials::follow_meetings() {
-  for (int i = 0; i < kMostMeetings && why_.fits < 1 && may_go_on(); ++i) {
+  for (int i = 0; i < kMaxMeetings && why_.fits < 1 && may_go_on(); ++i) {
     const double meeting = why_.fits * high_;
     const int edge = why_.edge;
     if (works(meeting)) {
@@ -131,7 +131,7 @@ bool RadiusTrials::follow_meetings() {
 }
 
 bool RadiusTrials::fall() {
-  while (high_ > kFall * kLeastShare * asked_ && may_go_on()) {
+  while (high_ > kFall * kMinRadiusShare * asked_ && may_go_on()) {
     const double radius = high_ / kFall;
     if (rolls(radius) && works(radius)) return true;
   }

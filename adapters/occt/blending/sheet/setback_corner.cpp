@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
@@ -45,7 +46,7 @@ constexpr double kSetback = 0.5;
 // leave something.
 constexpr double kShare = 0.5;
 // Of a strip's width: what a setback that was asked for has to leave for the curves in the faces.
-constexpr double kLeastRoom = 0.05;
+constexpr double kMinRoom = 0.05;
 constexpr double kSidePart = 0.1;      // of the tolerance: of sides that are fitted
 constexpr double kCreaseAngle = 1e-6;  // radians: between faces that a fill can be tangent to both
 constexpr int kFollowedAcross = 32;    // points of half a section that are followed along a patch
@@ -70,6 +71,23 @@ Handle(Geom2d_BSplineCurve)
   Geom2dAPI_Interpolate maker(points, places, Standard_False, gp::Resolution());
   maker.Perform();
   return maker.Curve();
+}
+
+// The last digit that std::to_string tells.
+constexpr double kLastDigit = 1e-6;
+// Relative: of the arithmetic that a bound comes from.
+constexpr double kBoundError = 1e-12;
+
+// Told so that what is told is not below the value: it can be given back as a bound.
+std::string told_from_above(double value) {
+  std::string text = std::to_string(value);
+  return std::stod(text) >= value ? text : std::to_string(value + kLastDigit);
+}
+
+// Likewise not above it. What is given has to be less than that, so its own error does no harm.
+std::string told_from_below(double value) {
+  std::string text = std::to_string(value);
+  return std::stod(text) <= value * (1 + kBoundError) ? text : std::to_string(value - kLastDigit);
 }
 
 // Whether a patch turns back on itself: normals at neighbouring samples differ by more than a right
@@ -117,15 +135,19 @@ double BlendSheet::wanted_setback_t(const DirectedEdge& half, double stop, doubl
   const double whole = edge_length(body_.edge(half.edge));
   const double speed = whole / length(of.strip.edge_range);
   const double t = end_t(half) + inwards * *setback_ / speed;
-  const double least = inwards * (stop - end_t(half)) * speed + kLeastRoom * width;
+  const double least = inwards * (stop - end_t(half)) * speed + kMinRoom * width;
+  const double room = inwards * (of.inside - end_t(half)) * speed;
+  if (least >= room)
+    refuse(half, FilletFault::Corner,
+           "no setback fits there, the strips that meet take half of the edge: " + too_large());
   if (*setback_ < least)
     refuse(half, FilletFault::Setback,
            "the setback is too small for the strips that meet there, it has to be " +
-               std::to_string(least) + " at least");
-  if (const double room = inwards * (of.inside - end_t(half)) * speed; *setback_ >= room)
+               told_from_above(least) + " at least");
+  if (*setback_ >= room)
     refuse(half, FilletFault::Setback,
            "the setback is more than half of the edge, it has to be less than " +
-               std::to_string(room));
+               told_from_below(room));
   return t;
 }
 

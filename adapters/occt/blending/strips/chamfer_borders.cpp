@@ -21,7 +21,7 @@ constexpr double kConverged = 1e-13;                                         // 
 constexpr double kPointNoise = 64 * std::numeric_limits<double>::epsilon();  // of coordinates
 
 constexpr double kFitError = 1e-8;  // model units
-constexpr int kMostHalvings = 32;   // a crease is then in a piece of 2e-10 of the range
+constexpr int kMaxHalvings = 32;    // a crease is then in a piece of 2e-10 of the range
 
 // Pieces have degree 5, through points of the borders at Chebyshev's nodes with both ends; between
 // the nodes, where they are farthest off, they are checked.
@@ -310,7 +310,7 @@ FittedBorders fitted_borders(const Chamfering& of, const Interval& range) {
   BorderFit fit(of);
   const std::vector<double> breaks = breaks_of(of, range);
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-    fit.add({breaks[i], breaks[i + 1]}, kMostHalvings);
+    fit.add({breaks[i], breaks[i + 1]}, kMaxHalvings);
   return fit.borders();
 }
 

@@ -41,7 +41,7 @@ namespace {
 constexpr double kChamferBeyond = 4;  // distances: how far open strips go on past the edge
 // Radians: past the end of an arc borders are looked for from their points at the end, which after
 // a quarter of a turn is as near to where they are as to the opposite point of a round face.
-constexpr double kMostTurn = 1;
+constexpr double kMaxTurn = 1;
 constexpr double kSameForm = 1e-9;  // of the distance: borders that are lines and circles
 constexpr int kSteps = 16;          // along the edge, by which it is seen how far borders go
 
@@ -264,7 +264,7 @@ RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
   const BRepAdaptor_Curve form(body.edge(edge));
   if (form.GetType() == GeomAbs_Circle) {
     const double left = 2 * std::numbers::pi - length(of.domain);
-    beyond = std::min({beyond, kMostTurn, std::max(0.25 * left, 0.0)});
+    beyond = std::min({beyond, kMaxTurn, std::max(0.25 * left, 0.0)});
   }
   const Interval wanted{of.domain.from - beyond, of.domain.to + beyond};
   const Borders borders = borders_over(of, wanted, kSteps);

@@ -53,7 +53,7 @@ constexpr double kBeyondContact = 1e-3;
 constexpr double kFootRoom = 0.25;  // of the feet's box: how far beyond it is searched
 // Pairs of cells. One curve between two known places takes some thousands; surfaces that touch
 // along each other take all there are, and have no curve to be found.
-constexpr long kMostPairs = 100'000;
+constexpr long kMaxPairs = 100'000;
 
 // A contact in the scaled parameters of a face, and whole periods beside, wherever it may meet
 // edges of the face.
@@ -384,7 +384,7 @@ std::optional<EndCurve> best_curve(const BezierSurface& on_face, const TopoDS_Fa
                                    const BezierSurface& on_other, const TopoDS_Face& other,
                                    const Vec3& from, const Vec3& to, double reach) {
   IntersectionOptions options;
-  options.budget = kMostPairs;
+  options.budget = kMaxPairs;
   const SurfaceIntersection found = intersect(on_face, on_other, options);
   std::optional<EndCurve> best;
   double least = reach;

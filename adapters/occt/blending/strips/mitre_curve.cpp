@@ -24,7 +24,7 @@ namespace blossom::occt {
 namespace {
 
 constexpr int kFirstSteps = 32;  // of a way, doubled until points between lie on the curve
-constexpr int kMostSteps = 512;
+constexpr int kMaxSteps = 512;
 constexpr int kMitreSteps = 12;
 constexpr double kMitreConverged = 1e-3;  // of the tolerance
 constexpr double kTouching = 1e-2;        // sine of the angle below which strips count as touching
@@ -209,7 +209,7 @@ std::optional<EndCurve> mitre_curve(const RolledStrip& strip, const RolledStrip&
   const bool forward = tracer.crossing_sine(at_from) >= tracer.crossing_sine(at_to);
   const CurvePoint &start = forward ? at_from : at_to, &end = forward ? at_to : at_from;
   if (tracer.crossing_sine(start) < kTouching) return std::nullopt;
-  for (int steps = kFirstSteps; steps <= kMostSteps; steps *= 2) {
+  for (int steps = kFirstSteps; steps <= kMaxSteps; steps *= 2) {
     const auto points = tracer.way(start, end, steps);
     if (!points) continue;  // shorter steps may stay on the curve
     EndCurve made = curves_through(strip, other, *points);

@@ -40,7 +40,7 @@ namespace {
 // Strips go on past the edge by so many times their width, as far as the ball rolls.
 constexpr double kRollWidths = 2;
 // Of the least radius: what a law may take off it past the edge's ends.
-constexpr double kLeastShare = 0.5;
+constexpr double kMinShare = 0.5;
 // Of the way of a loop that is not beside the edge: what stays free of an open strip.
 constexpr double kLoopShare = 0.2;
 constexpr double kWholeTurn = 0.5;  // of a period: a contact that comes back has gone a whole turn
@@ -177,7 +177,7 @@ void Tracing::start(const std::array<BallSupport, 2>& on) {
 // How far a law goes on past both ends of its range, at most by so much, before it takes more than
 // a part of the least radius off.
 double law_beyond(const RadiusLaw& law, const Interval& range, double most) {
-  const double least = (1 - kLeastShare) * law.extremes(range).from;
+  const double least = (1 - kMinShare) * law.extremes(range).from;
   double beyond = most;
   while (law.extremes({range.from - beyond, range.to + beyond}).from < least) beyond /= 2;
   return beyond;

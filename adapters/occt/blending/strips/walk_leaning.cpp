@@ -25,7 +25,7 @@ namespace {
 // Radians: an edge at which faces turn by less is a bend of what a ball rolls on, and the ball goes
 // along an edge that makes a smaller angle with its way. A choice, half way between going on and
 // ending. Over others contacts roll as over notches, or come to an end.
-constexpr double kMostBend = 0.25 * std::numbers::pi;
+constexpr double kMaxBend = 0.25 * std::numbers::pi;
 constexpr int kLeaningSteps = 64;  // along a strip, between which the ball leans or does not
 constexpr double kLeftAt = 1e-12;  // of a strip's range: where the ball leaves the edge
 
@@ -61,8 +61,8 @@ bool BallWalker::holds(const WalkedStrip& of, double t, const ContactCrossing& o
   const double falls = -dot(behind.inwards, here.normal);
   const Vec3 way = unit(vec(of.strip.spine->DN(t, 1)));
   return (run_.concave ? falls > 0 : falls < 0) &&
-         dot(here.normal, behind.normal) > std::cos(kMostBend) &&
-         std::abs(dot(way, here.along)) > std::cos(kMostBend);
+         dot(here.normal, behind.normal) > std::cos(kMaxBend) &&
+         std::abs(dot(way, here.along)) > std::cos(kMaxBend);
 }
 
 // Where a contact goes on along the edge at which its face ends. Beside a left contact what stays
