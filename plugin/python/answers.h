@@ -65,6 +65,7 @@ Answer check(const SharedModel& model, const Control& control);
 Answer continuity(const SharedModel& model, const ContinuityTolerances& tolerances,
                   const std::string& require, const Control& control);
 /// edges   list all edges of the model, too
+/// faces   measure faces: radii, axes, areas, colours
 Answer info(const SharedModel& model, bool edges, bool faces, const Control& control);
 
 Answer trim(const SharedModel& part, const std::vector<SharedModel>& tools,

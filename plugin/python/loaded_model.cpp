@@ -28,6 +28,7 @@ LoadedModel::LoadedModel(std::string name, const TopoDS_Shape& shape)
 std::shared_ptr<LoadedModel> LoadedModel::part(const std::vector<int>& numbers,
                                                const std::vector<std::string>& words,
                                                const std::string& name) {
+  if (!words.empty()) sew(Watch());
   for (const int number : numbers) model().face(number);
   const reports::Selection named = reports::selection_of(model(), words);
   std::set<int> faces(numbers.begin(), numbers.end());
@@ -40,6 +41,8 @@ std::shared_ptr<LoadedModel> LoadedModel::part(const std::vector<int>& numbers,
   made->named_ = named;
   made->model_ = model_;
   made->working_ = working_;
+  made->sewn_ = sewn_;
+  made->sewing_ = sewing_;
   return made;
 }
 

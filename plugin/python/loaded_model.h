@@ -31,7 +31,8 @@ class LoadedModel {
   LoadedModel(std::string name, const TopoDS_Shape& shape);
 
   /// Some faces, by their numbers in the model, which they keep, and what words name, as inputs of
-  /// the command line: parts and solids have an inside.
+  /// the command line: parts and solids have an inside. Words are of the model with its loose faces
+  /// sewn, which gives solids and edges other numbers, so they have it sewn first.
   /// throws   BadModel if there is no such face, or nothing is called so
   std::shared_ptr<LoadedModel> part(const std::vector<int>& numbers,
                                     const std::vector<std::string>& words, const std::string& name);

@@ -64,11 +64,14 @@ SharedModel read_file(const std::string& path, bool strict, const Control& contr
   });
 }
 
-// Of a file that is there for the moment: the model is of none.
+// Of a file that is there for the moment: the model is of none, so nothing would tell later what
+// reading it lost.
 SharedModel read_passing(const std::string& path, const std::string& name) {
   const py::gil_scoped_release released;
-  return std::make_shared<LoadedModel>(name, occt::read_model(path).copy(),
-                                       reports::Repairing::Used);
+  const occt::Model model = occt::read_model(path);
+  if (model.reading().grade() != occt::ReadingGrade::Whole)
+    throw occt::BadModel(name + ": its STEP text loses what it has: " + model.reading().summary());
+  return std::make_shared<LoadedModel>(name, model.copy(), reports::Repairing::Used);
 }
 
 SharedModel read_bytes(const py::bytes& bytes, const std::string& name) {

@@ -14,6 +14,7 @@
 #include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
 #include "plugin/reports/models/entity_words.h"
+#include "plugin/reports/text/json.h"
 #include "plugin/reports/text/words.h"
 
 namespace blossom::reports {
@@ -206,6 +207,21 @@ class Selecting {
   Selection made_{};
 };
 
+// The edges that an input names and that go with the faces that it does not name.
+std::vector<TopoDS_Shape> edges_without_faces(const Input& input) {
+  TopTools_IndexedMapOfShape edges, kept, all;
+  TopExp::MapShapes(input.model.shape(), TopAbs_EDGE, edges);
+  for (int number = 1; number <= input.model.face_count(); ++number)
+    TopExp::MapShapes(input.model.face(number), TopAbs_EDGE, all);
+  for (const int number : input.numbers)
+    TopExp::MapShapes(input.model.face(number), TopAbs_EDGE, kept);
+  std::vector<TopoDS_Shape> without;
+  for (const int number : input.edges)
+    if (all.Contains(edges(number)) && !kept.Contains(edges(number)))
+      without.push_back(edges(number));
+  return without;
+}
+
 // Solids, faces that are in none of them, and edges, side by side.
 TopoDS_Shape shape_of(const Selection& selection, const std::vector<int>& faces,
                       const occt::Model& model) {
@@ -257,6 +273,8 @@ occt::Model alone(const Input& input) {
   for (const int number : input.numbers) others.erase(number);
   occt::Model model = input.model.copy();
   if (!others.empty()) model.replace_faces(others);
+  if (const std::vector<TopoDS_Shape> edges = edges_without_faces(input); !edges.empty())
+    model.add(occt::compound_of(edges), "edges");
   return model;
 }
 

@@ -3,6 +3,7 @@
 
 import os
 import pickle
+import re
 import sys
 import tempfile
 import threading
@@ -73,6 +74,25 @@ class Reading(unittest.TestCase):
             self.assertEqual(set(again.part_paths), {two.part_paths[low.face_numbers[0] - 1]})
             name = again.part_paths[0]
             self.assertEqual(len(blossom.read(f"{folder}/low#1.step#{name}/Face2")), 1)
+
+    def test_words_are_of_the_model_with_its_loose_faces_sewn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "two.step")
+            blossom.solid("split", BLOCK, planes=[((0, 0, 5), (0, 0, 1))]).to_step(path)
+            whole, text = blossom.read(path), Path(path).read_text("ascii")
+            volumes = {name: whole.part(name).volume for name in set(whole.part_paths)}
+            # The faces of the first solid become loose ones, with another solid after them.
+            shell = re.search(r"MANIFOLD_SOLID_BREP\(('[^']*'),(#\d+)\)", text)
+            text = text.replace(shell[0], f"SHELL_BASED_SURFACE_MODEL({shell[1]},({shell[2]}))")
+            Path(path).write_text(text.replace("CLOSED_SHELL", "OPEN_SHELL", 1), "ascii")
+            self.assertEqual(blossom.read(path).counts["solids"], 1)
+            for name, volume in volumes.items():
+                part = blossom.read(path).part(name)
+                self.assertAlmostEqual(part.volume, volume, 6)
+                self.assertEqual(part.counts["solids"], 1)
+                self.assertEqual(part.repairs["sewn"]["faces"], 6)
+            second = blossom.read(path).part("solid:2")
+            self.assertEqual(second.face_numbers, list(range(7, 13)))
 
     def test_files_of_triangles_are_told_what_takes_them(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -358,6 +378,17 @@ class Writing(unittest.TestCase):
         blossom.intersect(FLOOR, WALL).write(self.folder / "edges.brep")
         self.assertEqual(blossom.read(self.folder / "edges.brep").counts["edges"], 1)
 
+    def test_edges_go_to_files(self):
+        edge = blossom.read(BLOCK).part("Edge3")
+        beside = blossom.read(BLOCK).part("Face1,Edge3,Edge12")
+        for ending in ("step", "brep"):
+            edge.write(self.folder / f"edge.{ending}")
+            again = blossom.read(self.folder / f"edge.{ending}")
+            self.assertEqual((again.counts["edges"], again.counts["faces"]), (1, 0))
+            beside.write(self.folder / f"beside.{ending}")
+            counts = blossom.read(self.folder / f"beside.{ending}").counts
+            self.assertEqual((counts["edges"], counts["faces"]), (5, 1))
+
     def test_files_are_converted(self):
         blossom.convert(BLOCK, self.folder / "block.brep")
         self.assertEqual(len(blossom.read(self.folder / "block.brep")), 6)
@@ -413,6 +444,8 @@ class Pickles(unittest.TestCase):
         for ours, theirs in zip(again.info(faces=True)["faces"], rig.info(faces=True)["faces"]):
             self.assertEqual(ours.get("colour"), theirs.get("colour"))
         self.assertEqual(set(pickle.loads(pickle.dumps(part)).part_paths), {rig.part_paths[0]})
+        edge = pickle.loads(pickle.dumps(blossom.read(BLOCK).part("Edge3")))
+        self.assertEqual((edge.counts["edges"], edge.counts["faces"]), (1, 0))
         made = pickle.loads(pickle.dumps(blossom.read(BLOCK).solid("cut", DRILL)))
         self.assertEqual(set(made.model.part_paths), {"Block"})
 

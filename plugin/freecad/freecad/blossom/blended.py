@@ -70,8 +70,9 @@ class EdgeBlend(Feature):
         }
 
     def take(self, obj, question, answer):
-        if (become := _chosen(obj)[2]) is not None:
-            answer = answer._replace(report=_renumbered(answer.report, become, obj))
+        solid, _, become = _chosen(obj)
+        if become is not None:
+            answer = answer._replace(report=_renumbered(answer.report, solid, obj))
         super().take(obj, question, answer)
 
     def nothing(self, obj):
@@ -89,26 +90,29 @@ def _chosen(obj):
     solid = links.solid_of(whole, _label(obj))
     if solid is whole:
         return whole, numbers, None
-    edges = whole.Edges
+    edges, find = whole.Edges, links.finder_within(solid)
 
     def become(number):
         if not 1 <= number <= len(edges):
             raise ValueError(f"Edges: there is no Edge{number}, there are {len(edges)}")
-        return links.edges_within(solid, edges[number - 1])
+        if not (found := find(edges[number - 1])):
+            raise ValueError(f"Edges: Edge{number} is none of the solid that the faces close")
+        return found
 
-    made = sorted({each for number in numbers for each in become(number)})
-    if numbers and not made:
+    # Edges that are points, as faces have them, have no counterpart.
+    real = [number for number in numbers if not edges[number - 1].Degenerated]
+    if numbers and not real:
         raise ValueError("Edges: none of these is an edge of the solid that the faces close")
-    return solid, made, become
+    return solid, sorted({each for number in real for each in become(number)}), become
 
 
-def _renumbered(report, become, obj):
+def _renumbered(report, solid, obj):
     """The report with the numbers that edges have in the object, of two that are one now the lesser
     one."""
     whole, _ = links.whole_with_edges(obj.Edges, "Edges")
-    own = {}
-    for number in range(1, len(whole.Edges) + 1):
-        for each in become(number):
+    own, find = {}, links.finder_within(solid)
+    for number, edge in enumerate(whole.Edges, start=1):
+        for each in find(edge):
             own.setdefault(each, number)
     return {
         **report,

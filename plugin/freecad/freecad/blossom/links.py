@@ -155,15 +155,30 @@ def without_solid(shape, label):
     return f"{label} has none" + (", and its faces close none" if len(shape.Faces) > 1 else "")
 
 
-def edges_within(solid, edge):
-    """The numbers of the edges of a solid of which an edge of the faces that it is made of, or a
-    part of that edge, has become one."""
-    near = edge.BoundBox
-    return [
-        number
+def finder_within(solid):
+    """What tells the numbers of the edges of a solid of which an edge of the faces that it is made
+    of, or a part of that edge, has become one. Tolerances of edges that were sewn are as wide as
+    the gaps that they close."""
+    own = [
+        (number, each, _reach(each))
         for number, each in enumerate(solid.Edges, start=1)
-        if not each.Degenerated and near.intersect(each.BoundBox) and _lies_on(each, edge)
+        if not each.Degenerated
     ]
+
+    def find(edge):
+        if edge.Degenerated:
+            return []
+        near = _reach(edge)
+        return [number for number, each, box in own if near.intersect(box) and _lies_on(each, edge)]
+
+    return find
+
+
+def _reach(edge):
+    """Its box, with its tolerance."""
+    box = edge.BoundBox
+    box.enlarge(edge.Tolerance)
+    return box
 
 
 def _lies_on(edge, other):
