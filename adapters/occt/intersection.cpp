@@ -319,8 +319,7 @@ class PairIntersector {
                                     const std::vector<SharedEdge>& edges) const {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     SurfaceIntersection found = intersect(a.surface, b.surface, options_for(a, b, edges));
-    if (found.certificate.limited || faces_a_.cuts() == ArcCuts::Shifted ||
-        !may_be_of_arc_lines(found, a.surface, b.surface))
+    if (found.certificate.limited || !may_be_of_arc_lines(found, a.surface, b.surface))
       return found;
     SurfaceIntersection again = intersect(faces_a_.with_shifted_arcs(i),
                                           faces_b_.with_shifted_arcs(j), options_for(a, b, edges));

@@ -183,7 +183,10 @@ bool ShapeRayQuery::accept(const Ray& ray, RayHit& hit) {
   const bool inside = place == ChartRegion::Place::Inside || is_inside(face.trims, chart);
   const double off = std::max(hit.beyond, inside ? 0 : edge.distance);
   if (off > std::max(edge.tolerance, rays_.tolerance)) return false;
-  if (off > rays_.tolerance) hit.status = weaker(hit.status, Status::Tolerance);
+  if (off > rays_.tolerance) {
+    hit.status = weaker(hit.status, Status::Tolerance);
+    hit.approximate = false;
+  }
   const bool at_edge = edge.distance <= rays_.tolerance || off > 0;
   if ((at_edge || edge.distance <= edge.tolerance) && !edge.shape.IsNull())
     hit.mark = rays_.named.FindIndex(edge.shape);

@@ -42,7 +42,6 @@ class FaceList {
   /// wanted   one mark for each face
   /// throws   BadModel likewise
   void convert(const std::vector<char>& wanted);
-  ArcCuts cuts() const { return cuts_; }
   /// The surface of a converted face, its arcs cut as by ArcCuts::Shifted.
   BezierSurface with_shifted_arcs(std::size_t i) const;
   /// Empty of a face that is not converted.

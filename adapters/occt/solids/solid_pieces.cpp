@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -205,8 +206,8 @@ bool divides_sheet(const Side& sheet, const Side& other, const Spline& curve,
          (!other.solid->is_solid() || longest_rest(curve, on_sheet, on_sheet) <= allowed);
 }
 
-// Whether a face of a solid may stay as it is where a curve ends in the middle of it: what of the
-// sheet that ends there hangs on the curve has a free edge, and divides nothing.
+// Whether faces of a solid may stay as they are where curves end in the middle of them. The pieces
+// of the sheet beside these curves have a free edge then, and divide nothing.
 bool ends_in_solid(const Side& solid, const Side& sheet, const std::vector<CurveEdges>& on_sheet) {
   if (!solid.solid->is_solid() || sheet.solid->is_solid()) return false;
   std::vector<TopoDS_Face> pieces;
@@ -242,6 +243,10 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
       add_notes(b, use.face_b, result);
       continue;
     }
+    if (left_out && !fits)
+      add_once(b.face_name(use.face_b) + " ends inside of " + a.face_name(use.face_a) +
+                   " and divides nothing there",
+               result.thin);
     if (!join_matching(on_a[i], on_b[i], common, joined))
       result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
                                  " meet along an edge together with others");
@@ -404,7 +409,7 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
   attempt("finding sides", limit, result, [&] {
     SidesTold told = find_sides(split_a, split_b, overlaps_of(found), tolerance, &limit);
     result.obstacles.insert(result.obstacles.end(), told.obstacles.begin(), told.obstacles.end());
-    result.thin = std::move(told.thin);
+    std::ranges::move(told.thin, std::back_inserter(result.thin));
     result.between = told.between;
   });
   for (const Side* side : {&side_a, &side_b}) tell_repeats(*side, result.thin);
@@ -425,7 +430,19 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
   return result;
 }
 
-constexpr std::array kReadings{EdgesLie::WhereFacesMeet, EdgesLie::Nearby};
+// A look at the faces, and how it is read.
+struct Reading {
+  std::size_t look = 0;
+  EdgesLie lying = EdgesLie::WhereFacesMeet;
+};
+
+// What is not there to be near is read first, at both tolerances.
+constexpr std::array<Reading, 6> kReadings{{{0, EdgesLie::WhereFacesMeet},
+                                            {1, EdgesLie::WhereFacesMeet},
+                                            {0, EdgesLie::Nearby},
+                                            {1, EdgesLie::Nearby},
+                                            {2, EdgesLie::WhereFacesMeet},
+                                            {2, EdgesLie::Nearby}}};
 
 }  // namespace
 
@@ -434,61 +451,58 @@ SolidDivisions::SolidDivisions(const TrimTool& a, const TrimTool& b, double stat
     : a_(a),
       b_(b),
       options_(options),
-      stated_(std::max(stated, stated_tolerance(a, b, options.tolerances.point))),
-      tolerance_(stated_) {}
+      stated_(std::max(stated, stated_tolerance(a, b, options.tolerances.point))) {}
 
-// At the tolerance of this look.
-IntersectionOptions SolidDivisions::left() const {
+IntersectionOptions SolidDivisions::left(double tolerance) const {
   IntersectionOptions rest = limit_.remaining();
   rest.threads = options_.threads;
-  rest.tolerances.point = tolerance_;
+  rest.tolerances.point = tolerance;
   return rest;
 }
 
-double SolidDivisions::other_tolerance() const {
+double SolidDivisions::other_tolerance() {
   const double point = options_.tolerances.point;
   const double reach = kLooseReach * kLooseReach * point;
-  return stated_ != point ? point : contact_scale(contact_gaps(a_, b_, reach, limit_), point);
+  if (!other_)
+    other_ = stated_ != point ? point : contact_scale(contact_gaps(a_, b_, reach, limit_), point);
+  return *other_;
 }
 
-// Intersects the faces for the next look; false if there is none.
-bool SolidDivisions::look() {
-  Extent extent = Extent::Extended;
-  switch (looks_++) {
-    case 0: break;
-    case 1:
-      tolerance_ = other_tolerance();
-      if (tolerance_ != stated_) break;
-      ++looks_;
-      [[fallthrough]];
-    case 2: extent = Extent::Trims; break;
-    default: return false;
-  }
-  faces_ = intersect(a_.faces, b_.faces, left(), extent);
-  return true;
+const SolidDivisions::Look* SolidDivisions::look(std::size_t number) {
+  std::optional<Look>& look = looks_[number];
+  if (look) return &*look;
+  const double tolerance = number == 0 ? stated_ : other_tolerance();
+  if (number == 1 && tolerance == stated_) return nullptr;
+  const Extent extent = number < 2 ? Extent::Extended : Extent::Trims;
+  look = Look{tolerance, intersect(a_.faces, b_.faces, left(tolerance), extent)};
+  return &*look;
 }
 
-void SolidDivisions::tell_tolerance(SolidPieces& pieces) const {
-  if (tolerance_ == stated_) return;
+void SolidDivisions::tell_tolerance(double tolerance, SolidPieces& pieces) const {
+  if (tolerance == stated_) return;
   std::ostringstream text;
-  if (stated_ > tolerance_)
+  if (stated_ > tolerance)
     text << "what the inputs state to be uncertain, up to " << stated_
          << ", may be apart in the result";
   else
-    text << "what is nearer to each other than " << tolerance_ << " counts as one";
+    text << "what is nearer to each other than " << tolerance << " counts as one";
   pieces.thin.push_back(text.str());
   pieces.status = weaker(pieces.status, Status::Tolerance);
 }
 
 std::optional<SolidPieces> SolidDivisions::next() {
-  if (readings_ > 0 && limit_.is_reached()) return std::nullopt;
-  const std::size_t reading = readings_ % kReadings.size();
-  if (reading == 0 && !look()) return std::nullopt;
-  ++readings_;
+  const Look* found_in = nullptr;
+  Reading reading;
+  while (found_in == nullptr) {
+    if (readings_ == kReadings.size() || (readings_ > 0 && limit_.is_reached())) return {};
+    reading = kReadings[readings_++];
+    found_in = look(reading.look);
+  }
   Pending untold;
-  SolidPieces found = pieces_of(a_, b_, faces_, kReadings[reading], left(), untold);
+  SolidPieces found =
+      pieces_of(a_, b_, found_in->faces, reading.lying, left(found_in->tolerance), untold);
   if (found.obstacles.empty()) {
-    tell_tolerance(found);
+    tell_tolerance(found_in->tolerance, found);
   } else if (readings_ == 1) {  // what stands against others is not told
     // The search for where cuts break off has no limit of its own.
     if (limit_.is_reached()) untold.curves.clear();

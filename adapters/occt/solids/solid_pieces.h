@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,16 +41,17 @@ struct SolidPieces {
 /// while the pieces round it fit together. An edge that one side has already along a curve, as a
 /// seam that it touches, takes the place of the other side's.
 ///
-/// What is one is decided at one tolerance: what the inputs state, or what is asked for if that is
-/// more. One intersection of the faces is read in two ways, one after the other: edges lie where
-/// faces that meet say so, or wherever they are near (common_edges.h). Where both lead to obstacles
-/// there are two more looks at the faces:
+/// What is one is decided at one tolerance. There are three looks at the faces:
 ///
-///   (1) at another tolerance, which is told: what is asked for if they state more, since what
-///       one of them states may be more than others are large; else the scale of the gaps between
-///       the solids (contact_scale.h)
-///   (2) at that, with surfaces that end with the trims: borders that end in the same place
-///       are easier to tell apart than what goes on beyond them
+///   (0) at what the inputs state, or what is asked for if that is more
+///   (1) at another tolerance, which is told: what is asked for if they state more, since what one
+///       of them states may be more than others are large; else the scale of the gaps between the
+///       solids (contact_scale.h)
+///   (2) at that, with surfaces that end with the trims: borders that end in the same place are
+///       easier to tell apart than what goes on beyond them
+///
+/// Each is read in two ways: edges lie where faces that meet say so, or wherever they are near
+/// (common_edges.h). What leads to obstacles is followed by the next reading.
 class SolidDivisions {
  public:
   /// stated          what the inputs state besides their faces; 0: nothing. Model units
@@ -62,20 +65,24 @@ class SolidDivisions {
   std::optional<SolidPieces> next();
 
  private:
-  IntersectionOptions left() const;
-  double other_tolerance() const;
-  bool look();
-  void tell_tolerance(SolidPieces& pieces) const;
+  struct Look {
+    double tolerance = 0;
+    ShapeIntersection faces;
+  };
+
+  IntersectionOptions left(double tolerance) const;
+  double other_tolerance();
+  const Look* look(std::size_t number);  // null: there is none
+  void tell_tolerance(double tolerance, SolidPieces& pieces) const;
 
   const TrimTool& a_;
   const TrimTool& b_;
   const IntersectionOptions& options_;
   const SharedLimit limit_{options_};
   std::size_t readings_ = 0;
-  int looks_ = 0;
-  double stated_;     // or asked for
-  double tolerance_;  // of `faces_`
-  ShapeIntersection faces_;
+  double stated_;  // or asked for
+  std::optional<double> other_;
+  std::array<std::optional<Look>, 3> looks_;
 };
 
 }  // namespace blossom::occt

@@ -233,7 +233,7 @@ std::string missing_part(const CLI::App& command, const std::string& message) {
 }
 
 // An option that is not known, if there is one: a value that follows it is not known either. But
-// options behind a command that is none may be right.
+// where the command itself is not known, options behind it may be right.
 std::string unknown_word(const CLI::App& command, const std::vector<std::string>& extras) {
   if (command.get_parent() != nullptr && command.get_require_subcommand_min() > 0 &&
       !extras.front().starts_with('-'))

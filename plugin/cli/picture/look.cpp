@@ -10,14 +10,14 @@
 namespace blossom::cli {
 namespace {
 
-constexpr int kMinSide = 100, kLargestSide = 8000;  // pixels
+constexpr int kMinSide = 100, kMaxSide = 8000;  // pixels
 
 // One side of a picture and what follows it; 0 if it is none.
 int side_of(const char*& at, const char* end) {
   int pixels = 0;
   const auto read = std::from_chars(at, end, pixels);
   at = read.ptr;
-  return read.ec == std::errc{} && pixels >= kMinSide && pixels <= kLargestSide ? pixels : 0;
+  return read.ec == std::errc{} && pixels >= kMinSide && pixels <= kMaxSide ? pixels : 0;
 }
 
 void take_size(const std::string& text, PictureLook& look) {
@@ -28,7 +28,7 @@ void take_size(const std::string& text, PictureLook& look) {
   if (separated) look.height = side_of(++at, end);
   if (!separated || look.width == 0 || look.height == 0 || at != end)
     throw UsageError("--size takes WIDTHxHEIGHT in pixels, each from " + std::to_string(kMinSide) +
-                     " to " + std::to_string(kLargestSide) + ", not '" + text + "'");
+                     " to " + std::to_string(kMaxSide) + ", not '" + text + "'");
 }
 
 }  // namespace

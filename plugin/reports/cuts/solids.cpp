@@ -39,11 +39,11 @@ std::vector<std::string> invalid_as_given(const SolidAnswer& answer) {
   return told;
 }
 
-// Tools that are to cut, and of which nothing is in the result.
+// Planes, and tools that are to split, of which nothing is in the result. What is cut off may have
+// been all of a solid.
 std::vector<std::string> idle_tools(const SolidAnswer& answer) {
   const std::size_t all = answer.tools.size() + answer.planes.size();
-  const bool cuts = answer.operation == "cut" || answer.operation == "split";
-  const std::size_t first = cuts ? 0 : answer.tools.size();
+  const std::size_t first = answer.operation == "split" ? 0 : answer.tools.size();
   std::vector<std::string> told;
   for (std::size_t i = first; i < all && !answer.made.solids.empty(); ++i)
     if (std::ranges::none_of(answer.made.faces, [i](const occt::SolidFace& face) {

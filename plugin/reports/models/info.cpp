@@ -45,8 +45,8 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   return map.Extent();
 }
 
-// The point of an axis, a centre or a ring that a point of the surface belongs to.
-gp_Pnt middle_of(const BRepAdaptor_Surface& surface, const gp_Pnt& point) {
+// The point of an axis, a centre or a ring that a point of the surface, at `u`, belongs to.
+gp_Pnt middle_of(const BRepAdaptor_Surface& surface, double u, const gp_Pnt& point) {
   const auto on_axis = [&](const gp_Ax1& axis) {
     return axis.Location().Translated(gp_Vec(axis.Direction()) *
                                       gp_Vec(axis.Location(), point).Dot(axis.Direction()));
@@ -55,9 +55,10 @@ gp_Pnt middle_of(const BRepAdaptor_Surface& surface, const gp_Pnt& point) {
   if (surface.GetType() == GeomAbs_Cone) return on_axis(surface.Cone().Axis());
   if (surface.GetType() == GeomAbs_Sphere) return surface.Sphere().Location();
   const gp_Torus torus = surface.Torus();
-  const gp_Pnt foot = on_axis(torus.Axis());
-  const gp_Pnt centre = torus.Location();
-  return centre.Translated(gp_Vec(foot, point).Normalized() * torus.MajorRadius());
+  const gp_Ax3& frame = torus.Position();
+  const gp_Vec outward =
+      gp_Vec(frame.XDirection()) * std::cos(u) + gp_Vec(frame.YDirection()) * std::sin(u);
+  return torus.Location().Translated(outward * torus.MajorRadius());
 }
 
 void measure_round(const BRepAdaptor_Surface& surface, const FaceFacts& face, bool reversed,
@@ -87,8 +88,9 @@ void measure_round(const BRepAdaptor_Surface& surface, const FaceFacts& face, bo
   }
   gp_Pnt point;
   gp_Vec du, dv;
-  surface.D1(at(face.u, 0.5), at(face.v, 0.5), point, du, dv);
-  const double outward = du.Crossed(dv).Dot(gp_Vec(middle_of(surface, point), point));
+  const double u = at(face.u, 0.5);
+  surface.D1(u, at(face.v, 0.5), point, du, dv);
+  const double outward = du.Crossed(dv).Dot(gp_Vec(middle_of(surface, u, point), point));
   measures.hollow = reversed ? outward > 0 : outward < 0;
 }
 
@@ -185,7 +187,8 @@ TopoDS_Shape subject_of(const Input& input) {
 ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::string>>& problems,
                        FaceDetail detail, const std::function<bool()>& cancelled) {
   ModelFacts facts;
-  const std::vector<std::optional<occt::FaceColour>> colours = occt::face_colours(input.model);
+  std::vector<std::optional<occt::FaceColour>> colours;
+  if (detail == FaceDetail::Full) colours = occt::face_colours(input.model);
   const std::vector<std::string> names = input.model.face_names();
   for (std::size_t i = 0; i < input.faces.size(); ++i) {
     facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], problems[i]));

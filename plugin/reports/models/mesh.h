@@ -36,8 +36,8 @@ struct MeshAnswer {
   std::vector<std::pair<int, std::string>> refused;  ///< faces and why
   std::optional<std::size_t> crossings;              ///< pairs of triangles; none: not looked for
   std::vector<std::array<int, 2>> crossing_faces;    ///< pairs, each once
-  std::size_t between_parts = 0;                     ///< of these, pairs of triangles
-  std::vector<std::array<int, 2>> faces_of_one{};    ///< of these, pairs of faces of one part
+  std::size_t between_parts = 0;                     ///< of `crossings`, those of two parts
+  std::vector<std::array<int, 2>> faces_of_one{};    ///< of `crossing_faces`, those of one part
   double seconds = 0;
 };
 

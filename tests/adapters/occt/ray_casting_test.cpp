@@ -126,7 +126,7 @@ TopoDS_Face two_spans() {
 TEST(ShapeRays, HitsTheJointOfPatchesOnce) {
   const ShapeRays rays(two_spans());
   for (const double y : {0.25, 0.5, 0.7}) {
-    const std::vector<ShapeHit> hits = rays.all_hits(Ray{{1, y, 3}, {0.1, 0, -3}});
+    const std::vector<ShapeHit> hits = rays.all_hits(Ray{{0.9, y, 3}, {0.1, 0, -3}});
     ASSERT_EQ(hits.size(), 1u) << y;
     EXPECT_EQ(hits[0].hit.status, Status::Complete);
     EXPECT_TRUE(hits[0].on.IsNull());

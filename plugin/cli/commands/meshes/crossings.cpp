@@ -6,9 +6,15 @@
 #include "plugin/reports/models/parts.h"
 
 namespace blossom::cli {
+namespace {
+
+constexpr int kNotMeant = -1;  // of faces that are not asked about
+
+}  // namespace
 
 std::vector<int> parts_of_faces(const Input& input) {
-  std::vector<int> parts(static_cast<std::size_t>(input.model.face_count()));
+  std::vector<int> parts(static_cast<std::size_t>(input.model.face_count()), kNotMeant);
+  for (const int number : input.numbers) parts[static_cast<std::size_t>(number) - 1] = 0;
   int count = 0;
   for (const reports::NamedPart& part : reports::named_parts(input)) {
     ++count;
@@ -25,6 +31,7 @@ Crossings crossings_of(const meshes::JudgedMesh& found, const std::vector<int>& 
   for (const auto& [a, b] : found.crossing_pairs) {
     const int i = number_of[static_cast<std::size_t>(a)],
               j = number_of[static_cast<std::size_t>(b)];
+    if (part_of(i) == kNotMeant && part_of(j) == kNotMeant) continue;
     const std::array<int, 2> pair{std::min(i, j), std::max(i, j)};
     crossings.faces.insert(pair);
     if (part_of(i) != part_of(j)) {

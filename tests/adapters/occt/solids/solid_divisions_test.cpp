@@ -13,7 +13,8 @@
 namespace blossom::occt {
 namespace {
 
-// Whatever they lead to, at what is asked for and at what faces state. Another tolerance is told.
+// Whatever they lead to, at what is asked for and at what faces state. Another tolerance is told:
+// that of all but the first and the third reading.
 TEST(SolidDivisions, AreAtMostTwoReadingsOfThreeLooks) {
   for (const double stated : {1e-7, 1e-5}) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(2, 2, 2).Shape();
@@ -25,7 +26,7 @@ TEST(SolidDivisions, AreAtMostTwoReadingsOfThreeLooks) {
     int readings = 0;
     while (const std::optional<SolidPieces> pieces = divisions.next()) {
       EXPECT_TRUE(pieces->obstacles.empty()) << readings;
-      EXPECT_EQ(pieces->thin.empty(), readings < 2) << readings;
+      EXPECT_EQ(pieces->thin.empty(), readings == 0 || readings == 2) << readings;
       ++readings;
     }
     EXPECT_LE(readings, 6);
