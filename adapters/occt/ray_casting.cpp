@@ -115,7 +115,16 @@ struct ShapeRays::Impl {
   double tolerance;
   RayCaster caster;
   std::vector<RayFace> rayed;
-  TopTools_IndexedMapOfShape named;  // edges, then vertices: a mark is an index of it
+  TopTools_IndexedMapOfShape named;  // edges, then vertices
+
+  // Marks of hits say which of the named shapes they are on or, within its tolerance, beside. Of
+  // hits that are joined the largest mark stays, so what is on a shape has the larger ones.
+  int mark_beside(const TopoDS_Shape& shape) const { return named.FindIndex(shape); }
+  int mark_on(const TopoDS_Shape& shape) const { return named.Extent() + named.FindIndex(shape); }
+  bool is_on(int mark) const { return mark > named.Extent(); }
+  const TopoDS_Shape& marked(int mark) const {
+    return named.FindKey(is_on(mark) ? mark - named.Extent() : mark);
+  }
 };
 
 // The edge of the face that is nearest to a hit; a vertex wins where it is as near.
@@ -187,10 +196,12 @@ bool ShapeRayQuery::accept(const Ray& ray, RayHit& hit) {
     hit.status = weaker(hit.status, Status::Tolerance);
     hit.approximate = false;
   }
-  const bool at_edge = edge.distance <= rays_.tolerance || off > 0;
-  if ((at_edge || edge.distance <= edge.tolerance) && !edge.shape.IsNull())
-    hit.mark = rays_.named.FindIndex(edge.shape);
-  hit.border = at_edge || (hit.border && hit.mark == 0);  // or where patches of the face meet
+  const bool at_edge = edge.distance <= rays_.tolerance || off > rays_.tolerance;
+  if (at_edge && !edge.shape.IsNull())
+    hit.mark = rays_.mark_on(edge.shape);
+  else if (edge.distance <= edge.tolerance && !edge.shape.IsNull())
+    hit.mark = rays_.mark_beside(edge.shape);
+  hit.border = hit.border || at_edge;  // patches of the face may meet where no edge is
   return true;
 }
 
@@ -251,7 +262,7 @@ bool ShapeRayQuery::is_repeated(const Ray& ray, std::size_t index) const {
     if (std::abs(hit.parameter - other.parameter) * norm(ray.direction) > kBesideEdge * reach)
       continue;
     const bool shared =
-        rays_.has_edge((hit.mark > 0 ? other : hit).surface, rays_.named.FindKey(marked.mark));
+        rays_.has_edge((hit.mark > 0 ? other : hit).surface, rays_.marked(marked.mark));
     const bool same_side = side(hit) == side(other);
     if (is_outside(hit) ? (k < index || !is_outside(other)) && (same_side || shared)
                         : k < index && !is_outside(other) && same_side && shared)
@@ -272,7 +283,7 @@ std::span<const ShapeHit> ShapeRayQuery::finished(const Ray& ray, std::span<cons
   for (std::size_t i = 0; i < raw_.size(); ++i) {
     if (is_repeated(ray, i)) continue;
     ShapeHit next{raw_[i], {}};
-    if (next.hit.border && next.hit.mark > 0) next.on = rays_.named.FindKey(next.hit.mark);
+    if (rays_.is_on(next.hit.mark)) next.on = rays_.marked(next.hit.mark);
     if (rays_.rayed[static_cast<std::size_t>(next.hit.surface)].reversed)
       next.hit.normal = -next.hit.normal;
     hits_.push_back(next);

@@ -134,6 +134,15 @@ TEST(ShapeRays, HitsTheJointOfPatchesOnce) {
   }
 }
 
+TEST(ShapeRays, HitsTheJointOfPatchesOnceBesideAWideEdge) {
+  const TopoDS_Face face = two_spans();
+  ShapeFix_ShapeTolerance().SetTolerance(face, 1e-2, TopAbs_EDGE);
+  const std::vector<ShapeHit> hits = ShapeRays(face).all_hits(down(1, 5e-3));
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_EQ(hits[0].hit.status, Status::Complete);
+  EXPECT_TRUE(hits[0].on.IsNull());
+}
+
 TEST(ShapeRays, ClosesTheGapsThatToleranceOfEdgesCovers) {
   // A table whose edges have a tolerance of 1e-3.
   const TopoDS_Face table = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 1, 0, 1);
