@@ -385,6 +385,8 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
     left.time_limit = left.time_limit > 0 ? std::min(left.time_limit, most) : most;
     find_own_contacts(part, tools, left, result);
   });
+  const TopTools_MapOfShape given = faces_of(part, tools);
+  for (SolidFace& of : result.faces) of.as_given = given.Contains(of.face);
   if (const auto copies = kept.parted(); !copies.IsNull()) part_from_inputs(*copies, result);
   report_loose_faces(part, tools, result);
   if (!part.is_solid()) result.open_part = describe_open_shell(part);

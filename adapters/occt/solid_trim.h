@@ -70,6 +70,7 @@ struct SolidFace {
   int tool = -1;  ///< index of the tool; -1 of the part
   int from = 0;   ///< place of the face that it is a piece of among that one's faces
   SheetSide side = SheetSide::Outside;  ///< of a sheet's piece; else without a meaning
+  bool as_given = false;                ///< all of an input's face; others were checked to be valid
 };
 
 /// A face of an input.

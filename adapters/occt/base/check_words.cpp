@@ -19,6 +19,11 @@ void add_words_of(const BRepCheck_ListOfStatus& statuses, TopAbs_ShapeEnum kind,
 
 }  // namespace
 
+bool finds_nothing(const BRepCheck_ListOfStatus& statuses) {
+  return std::all_of(statuses.begin(), statuses.end(),
+                     [](BRepCheck_Status status) { return status == BRepCheck_NoError; });
+}
+
 std::string words_of(BRepCheck_Status status) {
   switch (status) {
     case BRepCheck_NoError: return "";

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <BRepCheck_ListOfStatus.hxx>
 #include <BRepCheck_Result.hxx>
 #include <BRepCheck_Status.hxx>
 #include <TopAbs_ShapeEnum.hxx>
@@ -19,6 +20,9 @@ std::string words_of(BRepCheck_Status status);
 /// The same of one of the shapes in a face, which it names: "a wire is not closed". Of the face
 /// itself as above.
 std::string words_of(BRepCheck_Status status, TopAbs_ShapeEnum kind);
+
+/// Whether all of the statuses are BRepCheck_NoError.
+bool finds_nothing(const BRepCheck_ListOfStatus& statuses);
 
 /// Adds what was found of one shape, alone and in those that it is part of; nothing twice.
 void add_words_of(const Handle(BRepCheck_Result) & result, TopAbs_ShapeEnum kind,

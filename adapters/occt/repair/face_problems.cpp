@@ -14,6 +14,7 @@
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/solids/validity/faces_to_check.h"
 #include "adapters/occt/solids/validity/polygon_faces.h"
+#include "adapters/occt/solids/validity/sound_faces.h"
 #include "adapters/occt/soundness.h"
 #include "core/base/parallel.h"
 
@@ -32,6 +33,7 @@ std::optional<std::vector<std::string>> known_of(const TopoDS_Face& face) {
 }
 
 std::vector<std::string> found_by_check(const TopoDS_Face& face) {
+  if (is_sound_face(face)) return {};
   const BRepCheck_Analyzer analyzer(face);
   if (analyzer.IsValid()) return {};
   std::vector<std::string> problems;

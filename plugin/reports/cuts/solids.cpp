@@ -30,7 +30,7 @@ std::string tool_name(const SolidAnswer& answer, int tool) {
 std::vector<std::string> invalid_as_given(const SolidAnswer& answer) {
   std::vector<std::string> told;
   for (const occt::SolidFace& face : answer.made.faces) {
-    const std::string fault = occt::face_fault(face.face);
+    const std::string fault = face.as_given ? occt::face_fault(face.face) : "";
     if (fault.empty()) continue;
     const std::string file = face.tool < 0 ? answer.part : tool_name(answer, face.tool);
     told.push_back("face " + std::to_string(face.from + 1) + " of " + file + " is not valid (" +

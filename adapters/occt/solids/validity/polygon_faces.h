@@ -11,13 +11,9 @@ namespace blossom::occt {
 /// is, of a plane without scale and edges that are lines:
 ///  - edges and vertices hold each other, the plane and stored curves in its parameters within
 ///    their tolerances; what is straight is farthest off at its ends;
-///  - each wire is one ring, no vertex is passed twice;
-///  - edges that follow each other meet within the tolerance of their vertex alone, all others are
-///    farther apart than twice the largest tolerance;
-///  - one ring runs round all others, which run the other way, none within another.
+///  - `loops_are_simple` (sound_faces.h).
 ///
 /// returns   false of everything else and in doubt: that says nothing of the face
-/// cost      O(n^2) of n edges, far below that of BRepCheck up to the hundred that are looked at
 bool is_sound_polygon(const TopoDS_Face& face);
 
 }  // namespace blossom::occt

@@ -27,27 +27,27 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/base/check_words.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/solids/validity/faces_to_check.h"
 #include "adapters/occt/solids/validity/polygon_faces.h"
+#include "adapters/occt/solids/validity/sound_faces.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
 namespace {
 
-bool has_none(const BRepCheck_ListOfStatus& problems) {
-  return std::all_of(problems.begin(), problems.end(),
-                     [](BRepCheck_Status status) { return status == BRepCheck_NoError; });
-}
-
 bool new_faces_are_valid(const TopoDS_Shape& shape, const TopTools_MapOfShape& known) {
   FacesToCheck faces;
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
-    if (!known.Contains(it.Current()) && !is_sound_polygon(TopoDS::Face(it.Current())))
-      faces.add(TopoDS::Face(it.Current()));
-  return faces.all().NbChildren() == 0 || BRepCheck_Analyzer(faces.all()).IsValid();
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Face& face = TopoDS::Face(it.Current());
+    if (known.Contains(face) || is_sound_polygon(face)) continue;
+    const TopoDS_Face copy = faces.add(face);
+    if (!is_sound_face(copy) && !BRepCheck_Analyzer(copy).IsValid()) return false;
+  }
+  return true;
 }
 
 bool shells_are_valid(const TopoDS_Solid& solid) {
@@ -55,7 +55,8 @@ bool shells_are_valid(const TopoDS_Solid& solid) {
     if (it.Value().ShapeType() != TopAbs_SHELL) continue;
     const Handle(BRepCheck_Shell) shell = new BRepCheck_Shell(TopoDS::Shell(it.Value()));
     shell->InContext(solid);
-    if (!has_none(shell->Status()) || !has_none(shell->StatusOnShape(solid))) return false;
+    if (!finds_nothing(shell->Status()) || !finds_nothing(shell->StatusOnShape(solid)))
+      return false;
   }
   return true;
 }
@@ -191,7 +192,8 @@ bool cover_tangent_corners(const std::vector<TopoDS_Solid>& solids,
 
 bool is_valid(const TopoDS_Solid& solid, const TopTools_MapOfShape& known) {
   const Handle(BRepCheck_Solid) whole = new BRepCheck_Solid(solid);
-  return has_none(whole->Status()) && shells_are_valid(solid) && new_faces_are_valid(solid, known);
+  return finds_nothing(whole->Status()) && shells_are_valid(solid) &&
+         new_faces_are_valid(solid, known);
 }
 
 bool are_valid(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShape& known,

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Proof that the loops of a face bound it: none meets itself or another, and one runs round all.
+//
+// Loops are cut into pieces that go on in one direction, so that none of them meets itself. Two
+// pieces that share no corner are halved until a line parts them. Two that do lie in cones that
+// open from their ends at the corner; where these ends are a gap apart and the cones an angle, what
+// they have in common is no farther off than the gap by the sine of the angle.
+
+#pragma once
+
+#include "core/topology/face_trims.h"
+
+namespace blossom {
+
+/// Whether the loops are proven to pass no point twice but within the tolerances of the vertices
+/// between their coedges, and exactly one of them to run round all others, counter-clockwise, while
+/// these run clockwise and none within another.
+///
+/// margin    chart coordinates: by more than it pieces that share no corner are apart
+/// returns   false in doubt
+/// cost      about 50 ns for each two spans whose boxes meet, and 5 ns for all others
+bool are_simple(const FaceTrims& trims, double margin);
+
+}  // namespace blossom
