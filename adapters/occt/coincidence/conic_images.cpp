@@ -424,10 +424,11 @@ Vec2 in_sheet(const ChartSheet& sheet, Vec2 uv) {
 std::optional<std::vector<IntersectionCurve>> conic_on_sheets(
     const Conic& conic, const Interval& range, const std::array<const ChartSheet*, 2>& sheets,
     double slack) {
+  const bool is_whole = conic.is_closed() && length(range) >= 2 * std::numbers::pi;
   Interval whole = range;
   Conics all(conic, sheets, slack);
   std::vector<double> cuts = all.cuts(whole);
-  if (conic.is_closed() && !cuts.empty()) {
+  if (is_whole && !cuts.empty()) {
     // Begun there, it may turn out to be cut where it began before.
     // Rounded so that the whole is as long as a turn to the last digit.
     const double start = (cuts.front() + length(range)) - length(range);
@@ -438,10 +439,10 @@ std::optional<std::vector<IntersectionCurve>> conic_on_sheets(
     cuts = all.cuts(whole);
   }
   // Through a pole it comes to another place of the chart than it goes from.
-  const bool closed = conic.is_closed() && cuts.empty() && !all.is_pole(whole.from);
+  const bool closed = is_whole && cuts.empty() && !all.is_pole(whole.from);
   std::vector<IntersectionCurve> curves;
   for (Interval part : parts_of(whole, cuts)) {
-    if (conic.is_closed() && part.from >= range.to)
+    if (is_whole && part.from >= range.to)
       part = {part.from - length(range), part.to - length(range)};
     auto curve = all.curve_on(part);
     if (!curve) return {};

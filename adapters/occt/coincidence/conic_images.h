@@ -31,7 +31,7 @@ Vec2 in_sheet(const ChartSheet& sheet, Vec2 uv);
 /// is cut begins there: a circle is turned for that. An image comes to a pole in the direction that
 /// the conic has there. Their deviations are sampled, not proven.
 ///
-/// range     of the conic's parameter; of a closed one all of it
+/// range     of the conic's parameter; of a closed one all of it from 0 on, or less from anywhere
 /// slack     how far from the surfaces counts as on them; model units
 /// returns   nothing if a part has no image within the slack in a chart
 std::optional<std::vector<IntersectionCurve>> conic_on_sheets(

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include <BRep_Tool.hxx>
 #include <gp_Pnt.hxx>
@@ -21,7 +22,8 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kWidest = 2 * std::numbers::pi;  // of a range of parameters
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kWidest = kTurn;  // of a range of parameters
 constexpr const char* kContact = "the surfaces touch, or nearly, in the listed contacts";
 
 // The parameters of a line at which it is in a ball that holds the box; empty if it misses it.
@@ -35,8 +37,50 @@ Interval inside(const Box& box, const Conic& line) {
   return {nearest - half, nearest + half};
 }
 
+// Where a circle or an ellipse is beyond the sides of a box that it crosses: one interval of its
+// parameter for each, which begins in [-pi, 3 pi). All of it, if it is beyond one side.
+std::vector<Interval> arcs_beyond(const Box& box, const Conic& conic) {
+  const double beside = kBeyondBox * diagonal(box);
+  std::vector<Interval> beyond;
+  for (int k = 0; k < 3; ++k)
+    for (const int side : {-1, 1}) {
+      // The coordinate is centre + r cos(t - phase), from the centre to this side.
+      const double x = side * conic.major * conic.x[k], y = side * conic.minor * conic.y[k];
+      const double r = std::hypot(x, y), phase = std::atan2(y, x);
+      const double height = side * ((side < 0 ? box.low : box.high)[k] - conic.centre[k]) + beside;
+      if (height >= r) continue;
+      const double half = std::acos(std::max(-1.0, height / r));
+      beyond.push_back({phase - half, phase + half});
+    }
+  return beyond;
+}
+
+// Goes back from the end of an interval as far as intervals on a circle overlap.
+double begin_of_gap(const std::vector<Interval>& gaps, const Interval& last) {
+  double begin = last.from;
+  const auto covers = [&](const Interval& gap) {
+    const double into = std::remainder(begin - gap.from - length(gap) / 2, kTurn);
+    return std::abs(into) <= length(gap) / 2 ? into + length(gap) / 2 : 0;
+  };
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    for (const Interval& gap : gaps) begin -= covers(gap);
+  return begin;
+}
+
+// Of a closed conic all but the longest stretch that is beyond a box; empty if all is.
+Interval inside_closed(const Box& box, const Conic& conic) {
+  const std::vector<Interval> beyond = arcs_beyond(box, conic);
+  Interval longest{0, 0};
+  for (const Interval& last : beyond) {
+    const Interval gap{begin_of_gap(beyond, last), last.to};
+    if (length(gap) > length(longest)) longest = gap;
+  }
+  if (length(longest) >= kTurn) return {1, 0};
+  return {longest.to, longest.from + kTurn};
+}
+
 Interval range_of(const Conic& conic, const Box& box) {
-  return conic.is_closed() ? Interval{0, 2 * std::numbers::pi} : inside(box, conic);
+  return conic.is_closed() ? inside_closed(box, conic) : inside(box, conic);
 }
 
 double angle_between(const SurfaceJet& a, const SurfaceJet& b) {

@@ -13,6 +13,7 @@
 
 #include "core/forms/conic.h"
 #include "core/forms/spline.h"
+#include "core/topology/chart_projector.h"
 #include "core/topology/clipping/arcs_past_border.h"
 #include "core/topology/clipping/curve_clip.h"
 
@@ -25,6 +26,24 @@ constexpr double kSamePoint = 1e-6;         // contacts as near as this are one,
 
 SurfacePoint point_of(const IntersectionCurve& curve, double t) {
   return {point_at(curve.curve, t), point_at(curve.chart_a, t), point_at(curve.chart_b, t)};
+}
+
+// The same of a curve that only touches there: of a conic its own point, from which what is fitted
+// to it in the charts is farther off than two faces are that touch.
+//
+// b   null if there is none
+SurfacePoint touch_of(const IntersectionCurve& curve, double t, const FaceTrims& a,
+                      const FaceTrims* b) {
+  SurfacePoint touch = point_of(curve, t);
+  if (!curve.conic) return touch;
+  touch.point = point_at(*curve.conic, t);
+  const auto sharpen = [&](const FaceTrims& trims, Vec2& uv) {
+    const SurfaceJet jet = trims.jet(uv);
+    uv += chart_step(jet, touch.point - jet.point);
+  };
+  sharpen(a, touch.uv_a);
+  if (b != nullptr) sharpen(*b, touch.uv_b);
+  return touch;
 }
 
 double length_of(const IntersectionCurve& curve, const Interval& part) {
@@ -123,7 +142,7 @@ void move_short_parts(const IntersectionCurve& whole, const FaceTrims& a, const 
                        (only_touches(a, length, middle.uv_a, tolerance) ||
                         (b != nullptr && only_touches(*b, length, middle.uv_b, tolerance)));
     if (length > 2 * tolerance && !touch) return false;
-    touches.push_back(middle);
+    touches.push_back(touch_of(whole, at(part, 0.5), a, b));
     return true;
   });
 }
