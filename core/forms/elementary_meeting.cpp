@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace blossom {
 namespace {
@@ -237,6 +238,27 @@ Known plane_through_apex(const Elementary& plane, const Elementary& cone, const 
   return made;
 }
 
+// An ellipse round one half of a cone. With E across the axis A the direction in which the plane
+// falls, it goes from one to the other of the rulings along cos(angle) A +- sin(angle) E, at the
+// distances t from the apex where these are in the plane; half way between its ends the cone is
+// sin(angle) sqrt(t t') wide.
+Known plane_round_cone(const Elementary& plane, const Elementary& cone, double height) {
+  const double cosine = dot(plane.axis, cone.axis), sign = cosine < 0 ? -1 : 1;
+  const Vec3 slope = across(sign * plane.axis, cone.axis);
+  const double tilt = std::atan2(norm(slope), std::abs(cosine));
+  if (std::cos(tilt + cone.angle) < kMinSine) return {};
+  const Vec3 e = unit(slope);
+  const double near = sign * height / std::cos(tilt - cone.angle);
+  const double far = sign * height / std::cos(tilt + cone.angle);
+  const double c = std::cos(cone.angle), s = std::sin(cone.angle);
+  const Vec3 first = near * (c * cone.axis + s * e), last = far * (c * cone.axis - s * e);
+  const Vec3 x = unit(last - first);
+  return ElementaryMeeting{
+      {{{ConicKind::Ellipse, cone.centre + 0.5 * (first + last), x, cross(plane.axis, x),
+         0.5 * distance(first, last), s * std::sqrt(near * far)}}},
+      {}};
+}
+
 Known plane_and_cone(const Elementary& plane, const Elementary& cone, const Ball& ball,
                      const MeetingLimits& limits) {
   const double height = dot(plane.centre - cone.centre, plane.axis);
@@ -250,7 +272,8 @@ Known plane_and_cone(const Elementary& plane, const Elementary& cone, const Ball
     return ElementaryMeeting{{{circle(centre, plane.axis, radius)}}, {}};
   }
   if (std::abs(height) <= limits.exact) return plane_through_apex(plane, cone, ball, limits);
-  return {};
+  if (std::abs(height) <= limits.contact) return {};  // a point, or nearly
+  return plane_round_cone(plane, cone, height);
 }
 
 Known plane_and_torus(const Elementary& plane, const Elementary& torus,
@@ -307,13 +330,36 @@ Known two_spheres(const Elementary& a, const Elementary& b, const MeetingLimits&
   return turned(profile, a.centre, axis, limits.contact);
 }
 
+// Two ellipses in the planes half way between the axes, which cross over the point that these
+// share.
+Known crossing_cylinders(const Elementary& a, const Elementary& b, const MeetingLimits& limits) {
+  const Vec3 normal = cross(a.axis, b.axis), between = b.centre - a.centre;
+  const double sine = norm(normal);
+  if (sine < kMinSine || std::abs(a.radius - b.radius) > limits.exact) return {};
+  const Vec3 y = (1 / sine) * normal;
+  if (std::abs(dot(between, y)) > limits.exact) return {};
+  const double along = dot(cross(between, b.axis), y) / sine;
+  const Vec3 centre = a.centre + along * a.axis;
+  ElementaryMeeting made;
+  for (const double sign : {-1.0, 1.0}) {
+    const Vec3 across_plane = unit(a.axis + sign * b.axis);
+    const double major = a.radius / std::abs(dot(across_plane, a.axis));
+    made.curves.push_back(
+        {{ConicKind::Ellipse, centre, cross(y, across_plane), y, major, a.radius}});
+    made.curves.back().nodes = {0.5 * std::numbers::pi, 1.5 * std::numbers::pi};
+    made.nodes.push_back(centre + sign * a.radius * y);
+  }
+  return made;
+}
+
 Known two_cylinders(const Elementary& a, const Elementary& b, const Ball& ball,
                     const MeetingLimits& limits) {
   const double tilt = norm(cross(a.axis, b.axis));
   const auto middle = [&](const Elementary& of) {
     return of.centre + dot(ball.centre - of.centre, a.axis) * a.axis;
   };
-  if (tilt * (reach_of(a, ball) + reach_of(b, ball)) > limits.exact) return {};
+  if (tilt * (reach_of(a, ball) + reach_of(b, ball)) > limits.exact)
+    return crossing_cylinders(a, b, limits);
   const Vec3 from = middle(a), between = across(middle(b) - from, a.axis);
   const double apart = norm(between);
   if (apart <= limits.contact) {

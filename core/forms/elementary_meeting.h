@@ -23,6 +23,7 @@ struct MeetingCurve {
   Conic conic;  ///< a line goes on without end
   bool tangential = false;
   double gap = 0;  ///< of a contact: how far the surfaces are apart there, or reach into each other
+  std::vector<double> nodes{};  ///< parameters, increasing, where it crosses others of the meeting
 };
 
 /// A point in which two surfaces touch.
@@ -34,16 +35,18 @@ struct MeetingPoint {
 struct ElementaryMeeting {
   std::vector<MeetingCurve> curves;
   std::vector<MeetingPoint> points;
+  std::vector<Vec3> nodes{};  ///< where curves cross: the surfaces touch there
 };
 
 /// The whole intersection of two surfaces in a ball.
 ///
 /// Known are: planes with spheres; planes with cylinders, whatever the angle; planes through the
-/// apex of a cone or across its axis; planes through the axis of a torus or across it; two spheres;
-/// two cylinders whose axes are parallel; cylinders, cones, spheres and tori round one axis; and a
-/// sphere beside a cylinder. Surfaces that touch, or nearly, do so in one point or curve, half way
-/// between them: where they reach into each other by no more than the limit, what they cross in
-/// lies within the square root of it, and the contact stands for all that.
+/// apex of a cone, or that cut one half of it in an ellipse; planes through the axis of a torus or
+/// across it; two spheres; two cylinders whose axes are parallel, or cross and whose radii are
+/// equal; cylinders, cones, spheres and tori round one axis; and a sphere beside a cylinder.
+/// Surfaces that touch, or nearly, do so in one point or curve, half way between them: where they
+/// reach into each other by no more than the limit, what they cross in lies within the square root
+/// of it, and the contact stands for all that.
 ///
 /// ball      holds all that counts of both
 /// returns   nothing if the surfaces lie in another way to each other, are one within the limit of

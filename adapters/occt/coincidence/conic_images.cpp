@@ -16,6 +16,7 @@
 namespace blossom::occt {
 namespace {
 
+constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kSamples = 64;      // of a conic, to see where it passes seams
 constexpr double kAside = 0.3;    // of a step: keeps samples off symmetric places, where seams are
 constexpr int kHalvings = 60;     // of the interval between two samples
@@ -47,7 +48,7 @@ class Conics {
   Conics(const Conic& conic, const std::array<const ChartSheet*, 2>& sheets, double slack)
       : conic_(conic), sheets_(sheets), slack_(slack) {}
 
-  std::vector<double> cuts(const Interval& range) const;
+  std::vector<double> cuts(const Interval& range, const std::vector<double>& nodes) const;
   bool is_pole(double t) const { return is_pole(0, t) || is_pole(1, t); }
   std::optional<IntersectionCurve> curve_on(const Interval& part) const;
 
@@ -196,9 +197,12 @@ void Conics::add_changes(const Interval& run, std::vector<double>& found) const 
   }
 }
 
-// Poles and seams, in increasing order; without the ends.
-std::vector<double> Conics::cuts(const Interval& range) const {
+// Poles, seams and nodes, in increasing order; without the ends.
+std::vector<double> Conics::cuts(const Interval& range, const std::vector<double>& nodes) const {
   std::vector<double> found;
+  for (const double node : nodes)
+    for (double t = node + kTurn * std::ceil((range.from - node) / kTurn); t < range.to; t += kTurn)
+      if (t > range.from) found.push_back(t);
   const Handle(Geom_Curve) curve = to_occt(conic_);
   for (const ChartSheet* sheet : sheets_)
     for (const Interval& part : CurveBeside(curve, range, sheet->feet).between_poles(range))
@@ -422,21 +426,23 @@ Vec2 in_sheet(const ChartSheet& sheet, Vec2 uv) {
 }
 
 std::optional<std::vector<IntersectionCurve>> conic_on_sheets(
-    const Conic& conic, const Interval& range, const std::array<const ChartSheet*, 2>& sheets,
-    double slack) {
-  const bool is_whole = conic.is_closed() && length(range) >= 2 * std::numbers::pi;
+    const Conic& conic, const Interval& range, const std::vector<double>& nodes,
+    const std::array<const ChartSheet*, 2>& sheets, double slack) {
+  const bool is_whole = conic.is_closed() && length(range) >= kTurn;
   Interval whole = range;
   Conics all(conic, sheets, slack);
-  std::vector<double> cuts = all.cuts(whole);
+  std::vector<double> from_nodes = nodes, cuts = all.cuts(whole, nodes);
   if (is_whole && !cuts.empty()) {
     // Begun there, it may turn out to be cut where it began before.
     // Rounded so that the whole is as long as a turn to the last digit.
     const double start = (cuts.front() + length(range)) - length(range);
-    if (conic.kind == ConicKind::Circle)
+    if (conic.kind == ConicKind::Circle) {
       all = Conics(turned_to(conic, start), sheets, slack);
-    else
+      for (double& node : from_nodes) node -= start;
+    } else {
       whole = {start, start + length(range)};
-    cuts = all.cuts(whole);
+    }
+    cuts = all.cuts(whole, from_nodes);
   }
   // Through a pole it comes to another place of the chart than it goes from.
   const bool closed = is_whole && cuts.empty() && !all.is_pole(whole.from);

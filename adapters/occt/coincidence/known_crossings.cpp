@@ -22,8 +22,8 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kWidest = kTurn;  // of a range of parameters
+constexpr double kWholeTurn = 2 * std::numbers::pi;
+constexpr double kWidest = kWholeTurn;  // of a range of parameters
 constexpr const char* kContact = "the surfaces touch, or nearly, in the listed contacts";
 
 // The parameters of a line at which it is in a ball that holds the box; empty if it misses it.
@@ -59,7 +59,7 @@ std::vector<Interval> arcs_beyond(const Box& box, const Conic& conic) {
 double begin_of_gap(const std::vector<Interval>& gaps, const Interval& last) {
   double begin = last.from;
   const auto covers = [&](const Interval& gap) {
-    const double into = std::remainder(begin - gap.from - length(gap) / 2, kTurn);
+    const double into = std::remainder(begin - gap.from - length(gap) / 2, kWholeTurn);
     return std::abs(into) <= length(gap) / 2 ? into + length(gap) / 2 : 0;
   };
   for (std::size_t i = 0; i < gaps.size(); ++i)
@@ -75,8 +75,8 @@ Interval inside_closed(const Box& box, const Conic& conic) {
     const Interval gap{begin_of_gap(beyond, last), last.to};
     if (length(gap) > length(longest)) longest = gap;
   }
-  if (length(longest) >= kTurn) return {1, 0};
-  return {longest.to, longest.from + kTurn};
+  if (length(longest) >= kWholeTurn) return {1, 0};
+  return {longest.to, longest.from + kWholeTurn};
 }
 
 Interval range_of(const Conic& conic, const Box& box) {
@@ -109,7 +109,8 @@ class KnownCrossings {
   bool add(const MeetingCurve& known) {
     const Interval range = range_of(known.conic, common_);
     if (!(range.from < range.to)) return true;
-    auto parts = conic_on_sheets(known.conic, range, sheets_, std::max(known.gap, tolerance_));
+    auto parts =
+        conic_on_sheets(known.conic, range, known.nodes, sheets_, std::max(known.gap, tolerance_));
     if (!parts) return false;
     for (IntersectionCurve& curve : *parts) {
       curve.tangential = known.tangential;
@@ -125,20 +126,18 @@ class KnownCrossings {
   }
 
   void add(const MeetingPoint& known) {
-    const double slack = known.gap + tolerance_;
-    const Vec2 uv_a = in_sheet(*sheets_[0], sheets_[0]->feet.foot(known.point, {}));
-    const Vec2 uv_b = in_sheet(*sheets_[1], sheets_[1]->feet.foot(known.point, {}));
-    Place place = place_of({{known.point, uv_a, uv_b}}, PlaceKind::Touch, known.gap, tolerance_);
-    for (std::size_t k = 0; k < 2; ++k)
-      widen_charts(sheets_[k]->feet.surface(), k == 0 ? uv_a : uv_b, slack,
-                   &place.parameters[2 * k]);
-    for (std::size_t k = 0; k < 2; ++k)
-      if (part_side(*trims_[k], place.parameters[2 * k], place.parameters[2 * k + 1]) ==
-          PartSide::Outside)
-        return;
+    const auto place = place_at(known.point, PlaceKind::Touch, known.gap);
+    if (!place) return;
     judge(known.gap);
-    found_.points.push_back({known.point, uv_a, uv_b});
-    found_.places.push_back(place);
+    found_.points.push_back(place->first);
+    found_.places.push_back(place->second);
+  }
+
+  void add_node(const Vec3& known) {
+    const auto place = place_at(known, PlaceKind::Node, 0);
+    if (!place) return;
+    found_.nodes.push_back(place->first);
+    found_.places.push_back(place->second);
   }
 
   SurfaceIntersection result() && {
@@ -153,6 +152,22 @@ class KnownCrossings {
   }
 
  private:
+  // Nothing if it is proven to be outside of the trims.
+  std::optional<std::pair<SurfacePoint, Place>> place_at(const Vec3& point, PlaceKind kind,
+                                                         double gap) const {
+    const SurfacePoint at{point, in_sheet(*sheets_[0], sheets_[0]->feet.foot(point, {})),
+                          in_sheet(*sheets_[1], sheets_[1]->feet.foot(point, {}))};
+    Place place = place_of({at}, kind, gap, tolerance_);
+    for (std::size_t k = 0; k < 2; ++k)
+      widen_charts(sheets_[k]->feet.surface(), k == 0 ? at.uv_a : at.uv_b, gap + tolerance_,
+                   &place.parameters[2 * k]);
+    for (std::size_t k = 0; k < 2; ++k)
+      if (part_side(*trims_[k], place.parameters[2 * k], place.parameters[2 * k + 1]) ==
+          PartSide::Outside)
+        return {};
+    return std::pair{at, place};
+  }
+
   void judge(double gap) {
     if (gap <= within_) return identify(found_.certificate, gap);
     found_.status = weaker(found_.status, Status::Tolerance);
@@ -216,6 +231,7 @@ std::optional<SurfaceIntersection> known_crossings(const TopoDS_Face& face_a, co
   for (const MeetingCurve& curve : known->curves)
     if (!crossings.add(curve)) return {};
   for (const MeetingPoint& point : known->points) crossings.add(point);
+  for (const Vec3& node : known->nodes) crossings.add_node(node);
   return std::move(crossings).result();
 }
 

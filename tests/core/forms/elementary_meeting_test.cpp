@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -105,11 +106,57 @@ TEST(ElementaryMeeting, CylindersSideBySideCrossInLinesOnBoth) {
   }
 }
 
+void expect_on(const Elementary& surface, const Conic& conic) {
+  for (double t = 0; t < 2 * pi; t += 0.1)
+    EXPECT_NEAR(height_over(surface, point_at(conic, t)).value, 0, 1e-13);
+}
+
+// Turned and moved, as all closed forms are.
+TEST(ElementaryMeeting, EqualCylindersThatCrossDoSoInEllipsesOnBoth) {
+  for (const double angle : {0.1, 0.7, 0.5 * pi, 3.0}) {
+    const Vec3 z = unit(Vec3{1, 2, 2}), x = unit(Vec3{2, -2, 1}), centre{0.3, 0.4, 0.5};
+    const Elementary a = cylinder_of(2, centre + 7 * z, z);
+    const Vec3 other = std::cos(angle) * z + std::sin(angle) * x;
+    const Elementary b = cylinder_of(2, centre - 3 * other, other);
+    const auto found = elementary_meeting(a, b, kHere, kLimits);
+    ASSERT_TRUE(found.has_value());
+    ASSERT_EQ(found->curves.size(), 2u);
+    ASSERT_EQ(found->nodes.size(), 2u);
+    for (const MeetingCurve& curve : found->curves) {
+      expect_on(a, curve.conic);
+      expect_on(b, curve.conic);
+      ASSERT_EQ(curve.nodes.size(), 2u);
+      for (const double t : curve.nodes)
+        EXPECT_LE(std::min(distance(point_at(curve.conic, t), found->nodes[0]),
+                           distance(point_at(curve.conic, t), found->nodes[1])),
+                  1e-14);
+    }
+  }
+}
+
+TEST(ElementaryMeeting, PlanesThatTiltLessThanAConeCutItInAnEllipse) {
+  for (const double angle : {0.1, 0.8, 1.3})
+    for (const double tilt : {1e-5, 0.1, 0.2})
+      for (const double height : {-2.0, 1.0}) {
+        const Elementary plane = plane_at(height, {std::sin(tilt), 0, std::cos(tilt)});
+        const Elementary cone = cone_of(angle, {0.1, 0.2, 0.3});
+        const auto found = elementary_meeting(cone, plane, kHere, kLimits);
+        ASSERT_TRUE(found.has_value());
+        ASSERT_EQ(found->curves.size(), 1u);
+        const Conic& conic = found->curves[0].conic;
+        EXPECT_GE(conic.major, conic.minor);
+        expect_on(plane, conic);
+        expect_on(cone, conic);
+      }
+}
+
 TEST(ElementaryMeeting, SaysNothingOfOtherPositions) {
-  EXPECT_FALSE(elementary_meeting(cylinder_of(2), cylinder_of(2, {}, {1, 0, 0}), kHere, kLimits));
+  EXPECT_FALSE(elementary_meeting(cylinder_of(2), cylinder_of(2.1, {}, {1, 0, 0}), kHere, kLimits));
+  EXPECT_FALSE(
+      elementary_meeting(cylinder_of(2), cylinder_of(2, {0, 1e-3, 0}, {1, 0, 0}), kHere, kLimits));
   EXPECT_FALSE(elementary_meeting(sphere_of(2), cylinder_of(2, {1, 0, 0}), kHere, kLimits));
   EXPECT_FALSE(elementary_meeting(sphere_of(2), sphere_of(2 + 5e-8), kHere, kLimits));
-  EXPECT_FALSE(elementary_meeting(plane_at(1, unit(Vec3{1, 0, 2})), cone_of(0.5), kHere, kLimits));
+  EXPECT_FALSE(elementary_meeting(plane_at(1, unit(Vec3{2, 0, 1})), cone_of(0.5), kHere, kLimits));
 }
 
 TEST(ElementaryMeeting, AConeThatIsNearlyFlatIsAsFarFromAPlaneAsItsSlopeTakesIt) {
