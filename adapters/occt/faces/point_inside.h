@@ -10,7 +10,8 @@
 
 namespace blossom::occt {
 
-/// A point inside of a face; none if Open CASCADE finds none.
+/// A point inside of a face, away from its wires (core/topology/inner_point.h); none of a face with
+/// open wires, or without a width that numbers can tell.
 std::optional<gp_Pnt> point_inside(const TopoDS_Face& face);
 
 }  // namespace blossom::occt

@@ -33,21 +33,23 @@ SolidRays::SolidRays(std::vector<TopoDS_Face> faces, double tolerance)
       tree_(FaceList(faces_, "", tolerance, Extent::Trims).boxes()),
       rayed_(faces_.size()) {}
 
-SolidRays::Hits SolidRays::hits_of(std::size_t face, const Ray& ray) {
+SolidRays::Hits SolidRays::hits_of(std::size_t face, const Ray& ray, RayMeans means) {
   Rayed& of = rayed_[face];
   if (!of.known) of.elementary = ElementaryFace::of(faces_[face], tolerance_);
   of.known = true;
-  if (of.elementary)
-    if (Hits hits = of.elementary->hits(ray)) return hits;
+  if (of.elementary) {
+    Hits hits = of.elementary->hits(ray);
+    if (hits || means == RayMeans::ClosedForms) return hits;
+  }
   if (!of.rays) of.rays = std::make_unique<ShapeRays>(std::vector{faces_[face]}, tolerance_);
   return certain(of.rays->all_hits(ray));
 }
 
 template <class Found>
-bool SolidRays::for_each_hit(const Ray& ray, Found found) {
+bool SolidRays::for_each_hit(const Ray& ray, RayMeans means, Found found) {
   bool certain = true;
   tree_.for_each_along({ray.origin, ray.direction, ray.from, ray.to}, [&](int face, double) {
-    const Hits hits = hits_of(static_cast<std::size_t>(face), ray);
+    const Hits hits = hits_of(static_cast<std::size_t>(face), ray, means);
     certain = certain && hits.has_value();
     if (hits)
       for (const ElementaryFace::Hit& hit : *hits) found(hit);
@@ -56,12 +58,12 @@ bool SolidRays::for_each_hit(const Ray& ray, Found found) {
   return certain;
 }
 
-std::optional<bool> SolidRays::is_inside(const Vec3& point, const Vec3& direction) {
+std::optional<bool> SolidRays::is_inside(const Vec3& point, const Vec3& direction, RayMeans means) {
   std::size_t count = 0;
   bool starts_on_a_face = false;
   const double reach = tolerance_ / norm(direction);
   const bool certain =
-      for_each_hit({point, direction, -reach}, [&](const ElementaryFace::Hit& hit) {
+      for_each_hit({point, direction, -reach}, means, [&](const ElementaryFace::Hit& hit) {
         starts_on_a_face = starts_on_a_face || hit.parameter <= reach;
         ++count;
       });
@@ -70,17 +72,18 @@ std::optional<bool> SolidRays::is_inside(const Vec3& point, const Vec3& directio
 }
 
 std::optional<bool> SolidRays::is_inside(const Vec3& point) {
-  for (const Vec3& direction : kRayDirections)
-    if (const std::optional<bool> inside = is_inside(point, direction)) return inside;
+  for (const RayMeans means : {RayMeans::ClosedForms, RayMeans::All})
+    for (const Vec3& direction : kRayDirections)
+      if (const std::optional<bool> inside = is_inside(point, direction, means)) return inside;
   return std::nullopt;
 }
 
 std::optional<bool> SolidRays::leaves(const Vec3& point, const Vec3& direction) {
   ElementaryFace::Hit last{-kEndless, {}};
-  const bool certain =
-      for_each_hit({point, direction, -kEndless, kEndless}, [&](const ElementaryFace::Hit& hit) {
-        if (hit.parameter > last.parameter) last = hit;
-      });
+  const bool certain = for_each_hit({point, direction, -kEndless, kEndless}, RayMeans::All,
+                                    [&](const ElementaryFace::Hit& hit) {
+                                      if (hit.parameter > last.parameter) last = hit;
+                                    });
   if (!certain || last.parameter == -kEndless) return std::nullopt;
   return dot(last.normal, direction) > 0;
 }

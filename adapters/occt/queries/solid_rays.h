@@ -29,6 +29,10 @@ inline constexpr std::array<Vec3, 9> kRayDirections{{{0.577, 0.211, 0.789},
                                                      {-0.163, -0.941, 0.296},
                                                      {0.449, 0.097, -0.888}}};
 
+/// What may be asked about faces that have closed forms: these alone, or also what searches, and so
+/// takes long to be made ready, where they are in doubt.
+enum class RayMeans { ClosedForms, All };
+
 class SolidRays {
  public:
   /// faces      all of the solid's
@@ -39,9 +43,10 @@ class SolidRays {
 
   /// Whether the ray leaves the solid as often as it has to from inside; nothing if it comes within
   /// tolerance of an edge, is tangent or starts on a face, or a hit is not proven.
-  std::optional<bool> is_inside(const Vec3& point, const Vec3& direction);
+  std::optional<bool> is_inside(const Vec3& point, const Vec3& direction,
+                                RayMeans means = RayMeans::All);
 
-  /// The same by the first of kRayDirections that tells.
+  /// The same by the first of kRayDirections that tells, by closed forms if any does.
   std::optional<bool> is_inside(const Vec3& point);
 
   /// Whether the faces are turned outwards where the line leaves the solid for good; nothing as
@@ -51,9 +56,9 @@ class SolidRays {
  private:
   /// Calls `found(hit)` for all hits, in no order; false if one is not certain.
   template <class Found>
-  bool for_each_hit(const Ray& ray, Found found);
+  bool for_each_hit(const Ray& ray, RayMeans means, Found found);
   using Hits = std::optional<std::vector<ElementaryFace::Hit>>;  // nothing if one is not certain
-  Hits hits_of(std::size_t face, const Ray& ray);
+  Hits hits_of(std::size_t face, const Ray& ray, RayMeans means);
 
   std::vector<TopoDS_Face> faces_;
   double tolerance_;

@@ -2,6 +2,7 @@
 #include "adapters/occt/solids/solid_sides.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -169,10 +170,11 @@ FaceGroup spread(FaceGroup region) {
   return region;
 }
 
-// A point inside of a piece, and which direction is the next one for a ray from there.
+// A point inside of a piece, which direction is the next one for a ray from there, and which told.
 struct SamplePoint {
   std::optional<gp_Pnt> point;
   std::size_t next = 0;
+  std::array<bool, kRayDirections.size()> told{};
 };
 
 // Rays about a region, and what they agree on with what was known before.
@@ -185,12 +187,14 @@ struct Agreement {
 };
 
 // Adds up to `most` rays that are certain.
-void look(SamplePoint& from, int most, SolidRays& rays, Agreement& all) {
+void look(SamplePoint& from, int most, RayMeans means, SolidRays& rays, Agreement& all) {
   if (!from.point) return;
   for (int found = 0; all.is_open() && found < most && from.next < kRayDirections.size();) {
-    const std::optional<bool> inside =
-        rays.is_inside(vec(*from.point), kRayDirections[from.next++]);
+    const std::size_t ray = from.next++;
+    if (from.told[ray]) continue;
+    const auto inside = rays.is_inside(vec(*from.point), kRayDirections[ray], means);
     if (!inside) continue;
+    from.told[ray] = true;
     const SolidSide side = *inside ? SolidSide::Inside : SolidSide::Outside;
     if (all.side == SolidSide::Unknown) all.side = side;
     all.broken = side != all.side;
@@ -208,12 +212,15 @@ std::string settle(SplitSolid& of, const FaceGroup& region, SolidRays& rays) {
   const int pieces = static_cast<int>(std::min<std::size_t>(region.size(), kAgreeing));
   Agreement all{*known};
   std::vector<SamplePoint> lookouts;
-  for (const std::size_t i : spread(region)) {
-    if (!all.is_open()) break;
-    lookouts.push_back({point_inside(of.pieces[i].face)});
-    look(lookouts.back(), (kAgreeing + pieces - 1) / pieces, rays, all);
+  const FaceGroup order = spread(region);
+  for (const RayMeans means : {RayMeans::ClosedForms, RayMeans::All}) {
+    for (SamplePoint& from : lookouts) from.next = 0;
+    for (std::size_t i = 0; i < order.size() && all.is_open(); ++i) {
+      if (i == lookouts.size()) lookouts.push_back({point_inside(of.pieces[order[i]].face)});
+      look(lookouts[i], (kAgreeing + pieces - 1) / pieces, means, rays, all);
+    }
+    for (SamplePoint& from : lookouts) look(from, kAgreeing, means, rays, all);
   }
-  for (SamplePoint& from : lookouts) look(from, kAgreeing, rays, all);
   if (all.broken) return name + ": its side is not certain";
   if (all.rays < kAgreeing) return name + ": rays cannot tell its side";
   for (const std::size_t k : region) of.pieces[k].side = all.side;

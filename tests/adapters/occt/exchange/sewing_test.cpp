@@ -8,11 +8,13 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <GProp_GProps.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <TopExp.hxx>
@@ -23,7 +25,6 @@
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/face_colours.h"
-#include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/shapes.h"
 #include "tests/support/endless_edges.h"
 #include "tests/support/measures.h"
@@ -54,7 +55,9 @@ int solids_in(const TopoDS_Shape& shape) {
 std::vector<Vec3> points_of(const Model& model) {
   std::vector<Vec3> points;
   for (int number = 1; number <= model.face_count(); ++number) {
-    const gp_Pnt point = point_inside(model.face(number)).value();
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(model.face(number), properties);
+    const gp_Pnt point = properties.CentreOfMass();
     points.push_back({point.X(), point.Y(), point.Z()});
   }
   return points;

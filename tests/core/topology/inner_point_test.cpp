@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/topology/inner_point.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/flat_trims.h"
+
+namespace blossom::testing {
+namespace {
+
+FaceTrims polygon(const std::vector<Vec2>& corners) {
+  FlatLoops loops;
+  loops.add_polygon(corners);
+  return trims_of(std::move(loops));
+}
+
+TEST(InnerPoint, IsInsideAndAwayFromWires) {
+  for (const FaceTrims& trims :
+       {square_without_disc(), half_disc(), polygon({{0, 0}, {4, 0}, {4, 4}, {3.9, 0.1}})}) {
+    const auto point = inner_point(trims);
+    ASSERT_TRUE(point.has_value());
+    EXPECT_TRUE(is_inside(trims, *point));
+    EXPECT_EQ(coedge_near(trims, {*point, *point}, 0.02, 40), nullptr);
+  }
+}
+
+TEST(InnerPoint, IsFoundInSliversOfAnySlope) {
+  for (const double width : {1e-3, 1e-6, 1e-9})
+    for (const Vec2& far : {Vec2{4, 0}, Vec2{4, 3}, Vec2{0.001, 4}, Vec2{-4, 4}}) {
+      const Vec2 aside = width / norm(far) * Vec2{-far[1], far[0]};
+      const FaceTrims trims = polygon({{0, 0}, far, far + aside, aside});
+      const auto point = inner_point(trims);
+      ASSERT_TRUE(point.has_value()) << width;
+      EXPECT_TRUE(is_inside(trims, *point)) << width;
+    }
+}
+
+TEST(InnerPoint, IsFoundBetweenManyHoles) {
+  FlatLoops loops;
+  loops.add_polygon(kSquare4);
+  for (int i = 0; i < 8; ++i)
+    for (int k = 0; k < 8; ++k) {
+      const double x = 0.01 + 0.5 * i, y = 0.01 + 0.5 * k, size = 0.48;
+      loops.add_polygon({{x, y}, {x, y + size}, {x + size, y + size}, {x + size, y}});
+    }
+  const FaceTrims trims = trims_of(std::move(loops));
+  const auto point = inner_point(trims);
+  ASSERT_TRUE(point.has_value());
+  EXPECT_TRUE(is_inside(trims, *point));
+}
+
+}  // namespace
+}  // namespace blossom::testing
