@@ -176,7 +176,8 @@ void add_tables(const std::vector<std::vector<PartLayers>>& layers, DxfLines& li
 
 double degrees(const Vec2& from, const Vec2& to) {
   const double angle = std::atan2(to[1] - from[1], to[0] - from[0]) * 180 / std::numbers::pi;
-  return angle < 0 ? angle + 360 : angle;
+  const double turned = angle < 0 ? angle + 360 : angle;
+  return turned < 360 ? turned : 0;  // a rounding below 0 is a whole turn
 }
 
 void add_polyline(const std::vector<Vec2>& points, double z, const DxfLayer& layer,
