@@ -121,9 +121,8 @@ std::optional<double> gap_between(const BezierSurface& a, const BezierSurface& b
       const GridPlace at = turned(turn, i, j, m, n);
       if (!add(a.patches(i, j), b.patches(at.row, at.column), turn, within, difference)) return {};
     }
-  const double gap = difference.bound() + a.error + b.error;
-  if (!(gap <= within)) return {};
-  return gap;
+  if (!(difference.bound() <= within)) return {};
+  return difference.bound() + a.error + b.error;
 }
 
 }  // namespace

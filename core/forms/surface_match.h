@@ -38,7 +38,7 @@ struct SurfaceMatch {
 /// it by the sum of |lambda_i - mu_i| <= eta diameters d. Roundings of the bound are added unless
 /// all numbers agree, the `error` of both surfaces in any case. Spans lie alike up to rounding.
 ///
-/// within    largest gap that counts as agreement, model units
+/// within    largest bound, but for the `error` of both, that counts as agreement, model units
 /// returns   nothing if no map gives so small a bound: they may still be one surface, in other
 ///           parameters or divided otherwise
 std::optional<SurfaceMatch> match(const BezierSurface& a, const BezierSurface& b, double within);

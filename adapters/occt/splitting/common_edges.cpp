@@ -65,6 +65,22 @@ CommonEdges::CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<To
   options_.known.clear();
 }
 
+void CommonEdges::know_equal(const ShapeIntersection& found) {
+  for (const FaceIntersection& pair : found.pairs)
+    for (const auto& [a, b] : pair.equal_edges) {
+      equals_.Bind(a, b);
+      equals_.Bind(b, a);
+    }
+}
+
+bool CommonEdges::is_equal_to_edge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) const {
+  const TopoDS_Shape* const equal = equals_.Seek(edge);
+  if (equal == nullptr) return false;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    if (it.Current().IsSame(*equal)) return true;
+  return false;
+}
+
 void CommonEdges::add(const FaceIntersection& pair) {
   const auto face_a = static_cast<std::size_t>(pair.face_a);
   const auto face_b = static_cast<std::size_t>(pair.face_b);
@@ -164,7 +180,7 @@ void CommonEdges::lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t 
       continue;
     if (!feet) feet.emplace(in, options_.tolerances.point);
     ask_limit();
-    if (!lies_on(edge, *feet)) continue;
+    if (!is_equal_to_edge_of(edge, in) && !lies_on(edge, *feet)) continue;
     lying.push_back(edge);
     for (TopExp_Explorer it(in, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge own = TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD));

@@ -68,6 +68,10 @@ class CommonEdges {
   CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
               const IntersectionOptions& options, EdgesLie lying = EdgesLie::WhereFacesMeet);
 
+  /// Takes over what edges are known to be equal: they lie in each other's faces, and nothing is
+  /// searched for that. To be called before edges are added.
+  void know_equal(const ShapeIntersection& found);
+
   /// Looks at the edges of two faces that meet: at all where the faces coincide, where intersection
   /// curves run along some, or some seem to lie in the other face.
   /// throws   LimitFailure if no time is left
@@ -124,6 +128,7 @@ class CommonEdges {
   Bnd_Box box_of(const TopoDS_Shape& shape, double margin);
   double most_reach(const TopoDS_Edge& edge) const;
   bool lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet);
+  bool is_equal_to_edge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
   void lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
   void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
   void touch(const FaceIntersection& pair, Of whose);
@@ -141,6 +146,8 @@ class CommonEdges {
   TopTools_MapOfShape loose_;  // edges that lie in a face by their own tolerances
   std::vector<std::vector<TopoDS_Edge>> in_a_, in_b_;
   NCollection_DataMap<TopoDS_Shape, Bnd_Box, TopTools_ShapeMapHasher> boxes_;
+  // By edge of either shape: that of the other one which it is equal to.
+  NCollection_DataMap<TopoDS_Shape, TopoDS_Shape, TopTools_ShapeMapHasher> equals_;
   TopTools_IndexedMapOfShape edges_;       // of both
   std::set<std::pair<int, int>> looked_;   // pairs of edges
   std::set<std::pair<int, int>> touched_;  // edges of a, faces of b from 1; of b, of a from -1 down

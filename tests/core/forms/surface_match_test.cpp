@@ -102,6 +102,15 @@ TEST(SurfaceMatch, BoundsWhatTheNumbersDifferBy) {
   }
 }
 
+// What approximations are off says nothing against their being of one surface.
+TEST(SurfaceMatch, AddsWhatInexactFormsAreOff) {
+  BezierSurface inexact = waves();
+  inexact.error = 3 * kWithin;
+  const std::optional<SurfaceMatch> found = match(inexact, inexact, kWithin);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->gap, 6 * kWithin);
+}
+
 TEST(SurfaceMatch, IsNoneOfSurfacesThatDiffer) {
   BezierSurface moved = waves();
   moved.patches(1, 2).points(2, 3)[2] += 2 * kWithin;

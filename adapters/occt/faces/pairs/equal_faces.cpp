@@ -32,7 +32,7 @@ FaceCopies::FaceCopies(const FaceList& a, const FaceList& b,
                      b.data(static_cast<std::size_t>(pairs[k].second)), kEqual * tolerance);
   });
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (!found[k]) continue;
+    if (!found[k] || found[k]->gap > tolerance) continue;
     int& original = originals_[static_cast<std::size_t>(pairs[k].second)];
     if (original < 0) original = pairs[k].first;
     if (is_exact(*found[k])) {

@@ -20,7 +20,8 @@ namespace blossom::occt {
 class FaceCopies {
  public:
   /// pairs      of the lists' faces, converted, among which copies are looked for
-  /// tolerance  of the answer; faces that differ by a thousandth of it are copies
+  /// tolerance  of the answer; faces that differ by a thousandth of it are copies, if what their
+  ///            surfaces are approximated within leaves them as near as it
   FaceCopies(const FaceList& a, const FaceList& b, const std::vector<std::pair<int, int>>& pairs,
              double tolerance);
 

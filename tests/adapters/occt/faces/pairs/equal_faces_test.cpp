@@ -24,6 +24,7 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
@@ -118,6 +119,19 @@ TEST(EqualFaces, OfMovedSolidsCoincide) {
     expect_copies(solid.shape.Moved(motion()),
                   BRepBuilderAPI_Transform(solid.shape, motion(), true).Shape());
   }
+}
+
+// Offsets are approximated: what both are off is more than rounding, and less than the tolerance.
+TEST(EqualFaces, OfOffsetsCoincideWithinWhatTheyAreApproximated) {
+  const TopoDS_Shape face = face_on(new Geom_OffsetSurface(hill(), 0.4));
+  const ShapeIntersection found = intersect(faces_of(face), faces_of(copy_of(face)));
+  EXPECT_NE(found.status, Status::Stopped);
+  ASSERT_EQ(found.pairs.size(), 1u);
+  EXPECT_EQ(found.pairs[0].equal_edges.size(), 4u);
+  ASSERT_EQ(found.pairs[0].found.overlaps.size(), 1u);
+  const double gap = found.pairs[0].found.overlaps[0].gap_high;
+  EXPECT_GT(gap, 1e-10);
+  EXPECT_LE(gap, 1e-7);
 }
 
 TEST(EqualFaces, HaveTheirBordersAndPlacesInBothCharts) {
