@@ -2,6 +2,7 @@
 #include "adapters/occt/convert/pcurves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -104,6 +105,26 @@ PlanarCurve approximated(const Handle(Geom2d_Curve) & curve, const Interval& ran
   return spans(convert.Curve(), range);
 }
 
+constexpr double kRounding = 0x1p-50;  // of the largest coordinate: a few steps of arithmetic
+
+// The end of a line, on the isoparametric line of its start if only rounding takes it off that.
+Vec2 without_rounding(const Vec2& from, Vec2 to, const Vec2& scale) {
+  double largest = 0;
+  for (int k = 0; k < 2; ++k)
+    largest = std::max(largest, scale[k] * std::max(std::abs(from[k]), std::abs(to[k])));
+  for (int k = 0; k < 2; ++k)
+    if (scale[k] * std::abs(to[k] - from[k]) <= kRounding * largest) to[k] = from[k];
+  return to;
+}
+
+// Open CASCADE's adaptors take a line at so small an angle for the isoparametric line of its start.
+// On a cylinder of radius 4000, after 3000, that is 1e-5 beside it.
+bool looks_isoparametric(const Vec2& rate) {
+  constexpr double kSine = 2e-12;  // twice Precision::Angular(), which is no constant expression
+  return std::ranges::any_of(std::array{rate[0], rate[1]},
+                             [](double part) { return part != 0 && std::abs(part) <= kSine; });
+}
+
 }  // namespace
 
 bool is_periodic_spline(const Handle(Geom2d_Curve) & curve) {
@@ -147,12 +168,13 @@ PlanarCurve planar_curve(const Handle(Geom2d_Curve) & curve, const Interval& ran
   return approximated(curve, range);
 }
 
-Handle(Geom2d_Curve) simplest_to_occt(const Spline2& spline) {
+Handle(Geom2d_Curve) simplest_to_occt(const Spline2& spline, const Vec2& scale) {
   if (!is_even_line(spline)) return to_occt(spline);
   const Interval domain = spline.domain();
-  const Vec2 from = spline.points.front(), to = spline.points.back();
+  const Vec2 from = spline.points.front();
+  const Vec2 to = without_rounding(from, spline.points.back(), scale);
   const Vec2 rate = (1 / length(domain)) * (to - from);
-  if (std::abs(norm(rate) - 1) > kEvenLine)
+  if (std::abs(norm(rate) - 1) > kEvenLine || looks_isoparametric(rate))
     return to_occt(Spline2{1, {domain.from, domain.to}, {2, 2}, {from, to}});
   const Vec2 start = from - domain.from * rate;
   return new Geom2d_Line({start[0], start[1]}, {rate[0], rate[1]});

@@ -87,7 +87,7 @@ Handle(Geom2d_Curve) FaceSplitter::chart_of(const TopoDS_Edge& edge,
   Spline2 chart = cut.chart;
   const Vec2 shift{lifted_cut.shift[0] / trims_.scale[0], lifted_cut.shift[1] / trims_.scale[1]};
   for (Vec2& point : chart.points) point += shift;
-  return simplest_to_occt(chart);
+  return simplest_to_occt(chart, trims_.scale);
 }
 
 // In a plane a conic is itself, in fewer spans than its spline.

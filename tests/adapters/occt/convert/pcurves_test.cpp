@@ -6,10 +6,14 @@
 
 #include <cmath>
 
+#include <Adaptor3d_CurveOnSurface.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2dConvert.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Circle.hxx>
 #include <Geom2d_Line.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
@@ -82,20 +86,35 @@ TEST(PlanarCurve, OfACircleAsAPeriodicSplineIsTheSameFromAnyPeriod) {
 }
 
 TEST(SimplestCurve, OfASplineThatRunsEvenlyAlongALineIsThatLine) {
-  const Handle(Geom2d_Curve) written = simplest_to_occt(level_line(2, 2));
+  const Handle(Geom2d_Curve) written = simplest_to_occt(level_line(2, 2), {1, 1});
   for (const double t : {0.0, 0.4, 1.0, 2.5, 3.0}) EXPECT_NEAR(written->Value(t).X(), 3 * t, 1e-14);
 }
 
 TEST(SimplestCurve, OfUnitSpeedIsALineOfOpenCascade) {
   const Spline2 line{1, {2, 5}, {2, 2}, {{1, -2}, {4, -2}}};
-  const auto written = Handle(Geom2d_Line)::DownCast(simplest_to_occt(line));
+  const auto written = Handle(Geom2d_Line)::DownCast(simplest_to_occt(line, {1, 1}));
   ASSERT_FALSE(written.IsNull());
   EXPECT_NEAR(written->Value(3.5).X(), 2.5, 1e-15);
 }
 
+// On a cylinder of radius 4000, three metres long: Open CASCADE's adaptors would say that the curve
+// ends where it does not, by some 1e-5.
+TEST(SimplestCurve, IsTakenByOpenCascadeForWhatItIs) {
+  const Vec2 scale{4000, 1};
+  const Handle(Geom_CylindricalSurface) cylinder = new Geom_CylindricalSurface(gp_Ax3(), scale[0]);
+  for (const double aside : {3e-9, 1e-10, 4e-16, 0.0}) {
+    const Spline2 line{1, {0, 3000}, {2, 2}, {{1, 0}, {1 + aside, 3000}}};
+    const Handle(Geom2d_Curve) written = simplest_to_occt(line, scale);
+    const Adaptor3d_CurveOnSurface adaptor(new Geom2dAdaptor_Curve(written, 0, 3000),
+                                           new GeomAdaptor_Surface(cylinder));
+    EXPECT_LE(adaptor.Value(3000).Distance(cylinder->Value(1 + aside, 3000)), 1e-11);
+    EXPECT_EQ(Handle(Geom2d_Line)::DownCast(written).IsNull(), aside > 1e-15);
+  }
+}
+
 TEST(SimplestCurve, OfASplineThatRunsUnevenlyOrAsideIsTheSpline) {
   for (const Spline2& other : {level_line(2.1, 2), level_line(2, 2 + 1e-9)})
-    EXPECT_TRUE(Handle(Geom2d_Line)::DownCast(simplest_to_occt(other)).IsNull());
+    EXPECT_TRUE(Handle(Geom2d_Line)::DownCast(simplest_to_occt(other, {1, 1})).IsNull());
 }
 
 }  // namespace

@@ -317,6 +317,11 @@ TEST(RandomSolids, ACurveMayTouchARim) {
   for (const int seed : {40725, 60681, 70175, 70548, 80290}) expect_right(seed);
 }
 
+// Beside no ruling of either by more than some 1e-12 of an angle, on radii of thousands.
+TEST(RandomSolids, CylindersMayCrossInWhatIsNearlyALine) {
+  for (const int seed : {71053, 72460}) expect_right(seed);
+}
+
 // What it is compared with then is counted.
 TEST(RandomSolids, OpenCascadeMayCrash) { expect_right(60867); }
 
