@@ -2,8 +2,8 @@
 #include "adapters/occt/solids/validity/solid_validity.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -17,6 +17,7 @@
 #include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
+#include <IntRes2d_IntersectionPoint.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -34,6 +35,7 @@
 #include "adapters/occt/solids/validity/faces_to_check.h"
 #include "adapters/occt/solids/validity/polygon_faces.h"
 #include "adapters/occt/solids/validity/sound_faces.h"
+#include "adapters/occt/splitting/edges/edge_stretches.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -97,22 +99,15 @@ bool is_sliver(const TopoDS_Face& face) {
   });
 }
 
-constexpr double kRoundings = 8;  // of the largest coordinate: how far off a point of an edge is
 constexpr double kCoverMargin = 1.1;
-
-// How far from a vertex edges of a length may cross since they touch in it.
-double touching_length(const gp_Pnt& point, double length) {
-  const double size = std::max({std::abs(point.X()), std::abs(point.Y()), std::abs(point.Z())});
-  const double off = kRoundings * std::numeric_limits<double>::epsilon() * (size + length);
-  return std::sqrt(8 * length * off);
-}
+constexpr std::array kBetween{0.25, 0.5,
+                              0.75};  // where what lies between two crossings is measured
 
 // An edge with its curve in the parameters of one face.
 struct ChartedEdge {
   TopoDS_Edge edge;
   Handle(Geom2d_Curve) chart;
   Interval range;
-  double length = 0;  // about
 };
 
 std::vector<ChartedEdge> charted_edges(const TopoDS_Face& face) {
@@ -121,15 +116,24 @@ std::vector<ChartedEdge> charted_edges(const TopoDS_Face& face) {
     ChartedEdge made{TopoDS::Edge(it.Current()), {}, {}};
     if (BRep_Tool::Degenerated(made.edge)) continue;
     made.chart = BRep_Tool::CurveOnSurface(made.edge, face, made.range.from, made.range.to);
-    Interval range;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(made.edge, range.from, range.to);
-    if (made.chart.IsNull() || curve.IsNull()) continue;
-    const gp_Pnt middle = curve->Value(at(range, 0.5));
-    made.length =
-        curve->Value(range.from).Distance(middle) + middle.Distance(curve->Value(range.to));
+    if (made.chart.IsNull() || curve_of(made.edge).curve.IsNull()) continue;
     all.push_back(std::move(made));
   }
   return all;
+}
+
+// Whether two edges, from a vertex of both up to a parameter of the first one, come no farther from
+// each other than their tolerances and their ends in the vertex say.
+bool are_one_up_to(const ChartedEdge& a, const ChartedEdge& b, const TopoDS_Vertex& vertex,
+                   double t) {
+  const RangedCurve of_a = curve_of(a.edge), of_b = curve_of(b.edge);
+  const Interval between{BRep_Tool::Parameter(vertex, a.edge), t};
+  const gp_Pnt end = of_b.curve->Value(BRep_Tool::Parameter(vertex, b.edge));
+  const double most = BRep_Tool::Tolerance(a.edge) + BRep_Tool::Tolerance(b.edge) +
+                      of_a.curve->Value(between.from).Distance(end);
+  return std::ranges::all_of(kBetween, [&](double part) {
+    return foot_on(of_b, of_a.curve->Value(at(between, part))).distance <= most;
+  });
 }
 
 // The farthest crossing of two edges that one of their common vertices may stand for is covered.
@@ -142,14 +146,15 @@ bool cover_crossings(const ChartedEdge& a, const ChartedEdge& b, const TopoDS_Fa
     if (!of_b.Contains(of_a(i))) continue;
     const TopoDS_Vertex vertex = TopoDS::Vertex(of_a(i));
     const gp_Pnt point = BRep_Tool::Pnt(vertex);
-    const double most = touching_length(point, std::max(a.length, b.length));
     const Geom2dAPI_InterCurveCurve met(new Geom2d_TrimmedCurve(a.chart, a.range.from, a.range.to),
                                         new Geom2d_TrimmedCurve(b.chart, b.range.from, b.range.to),
                                         Precision::PConfusion());
     for (int k = 1; k <= met.NbPoints(); ++k) {
-      const gp_Pnt2d uv = met.Point(k);
-      const double gap = BRep_Tool::Surface(face)->Value(uv.X(), uv.Y()).Distance(point);
-      if (gap <= BRep_Tool::Tolerance(vertex) || gap > most) continue;
+      const IntRes2d_IntersectionPoint& at = met.Intersector().Point(k);
+      const double gap =
+          BRep_Tool::Surface(face)->Value(at.Value().X(), at.Value().Y()).Distance(point);
+      if (gap <= BRep_Tool::Tolerance(vertex) || !are_one_up_to(a, b, vertex, at.ParamOnFirst()))
+        continue;
       BRep_Builder().UpdateVertex(vertex, kCoverMargin * gap);
       any = true;
     }

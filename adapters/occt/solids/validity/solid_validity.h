@@ -32,8 +32,9 @@ bool are_valid(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShap
 bool has_covered_face(const std::vector<TopoDS_Solid>& solids, const TopTools_MapOfShape& known);
 
 /// Lets vertices cover the places beside them in which edges that leave them in one direction cross
-/// in the parameters of a face, as BRepCheck sees them, by rounding alone: what touches with a
-/// radius r keeps within t for sqrt(8 r t).
+/// in the parameters of a face, as BRepCheck sees them: if up to there the edges come no farther
+/// from each other than their tolerances and their ends say. What touches with a radius r keeps
+/// within t for sqrt(8 r t).
 ///
 /// known     as of are_valid
 /// returns   whether a vertex is wider now
