@@ -35,6 +35,29 @@ double reach_of(const Elementary& surface, const Ball& ball) {
   return ball.radius + distance(ball.centre, surface.centre);
 }
 
+// How far a surface is, within the ball, from where it would lie as the closed form has it, and
+// what that means for what it meets.
+class Misfit {
+ public:
+  Misfit(double off, const MeetingLimits& limits)
+      : off_(off), exact_(off <= limits.exact), contact_(limits.contact) {}
+
+  bool is_exact() const { return exact_; }
+
+  // No nearer to each other than this surfaces are apart, wherever the true one lies.
+  double contact() const { return exact_ ? contact_ : contact_ + off_; }
+
+  // Whether a curve in which the surfaces cross at an angle stands for the true one. That is off by
+  // no more than off / sine; what is curved leaves a chord of less than `contact` alone, so that
+  // the sine does not fall to half of it on the way.
+  bool settles(double sine) const { return exact_ || 2 * off_ <= contact_ * sine; }
+
+ private:
+  double off_;
+  bool exact_;
+  double contact_;
+};
+
 // --- what round surfaces of one axis have in common, told in the half plane beside it
 
 // A point of the half plane: distance from the axis, and along it.
@@ -42,8 +65,12 @@ struct ProfilePoint {
   double radius = 0, height = 0;
   bool tangential = false;
   double gap = 0;
+  double sine = 1;  // of the angle at which the profiles cross
 };
-using Profile = std::vector<ProfilePoint>;
+struct Profile {
+  std::vector<ProfilePoint> points;
+  bool open = false;  // there may be more of them, or fewer
+};
 
 // A line in the half plane, or a circle.
 struct ProfileLine {
@@ -70,24 +97,35 @@ std::optional<ProfileCircle> circle_of(const Elementary& of, double height) {
   return {};
 }
 
-void add(Profile& profile, const Vec2& at, double gap, bool tangential) {
-  if (at[0] >= 0) profile.push_back({at[0], at[1], tangential, gap});
+void add_touch(Profile& profile, const Vec2& at, double gap) {
+  if (at[0] >= 0) profile.points.push_back({at[0], at[1], true, gap, 0});
 }
 
-void meet(const ProfileLine& a, const ProfileLine& b, Profile& profile) {
+void add_crossing(Profile& profile, const Vec2& at, double sine) {
+  if (at[0] >= 0) profile.points.push_back({at[0], at[1], false, 0, sine});
+}
+
+// Lines that hardly cross are known where they do not, up to a distance from the origin.
+void meet(const ProfileLine& a, const ProfileLine& b, double contact, double reach,
+          Profile& profile) {
   const double sine = turn(a.direction, b.direction);
-  if (std::abs(sine) < kMinSine) return;
-  add(profile, a.point + turn(b.point - a.point, b.direction) / sine * a.direction, 0, false);
+  const Vec2 between = b.point - a.point;
+  if (std::abs(sine) >= kMinSine)
+    return add_crossing(profile, a.point + turn(between, b.direction) / sine * a.direction,
+                        std::abs(sine));
+  const double apart = std::abs(turn(between, a.direction));
+  if (apart - std::abs(sine) * (reach + norm(b.point)) <= contact) profile.open = true;
 }
 
 void meet(const ProfileLine& a, const ProfileCircle& b, double contact, Profile& profile) {
   const double along = dot(b.centre - a.point, a.direction);
   const Vec2 foot = a.point + along * a.direction;
   const double off = distance(foot, b.centre), gap = std::abs(off - b.radius);
-  if (gap <= contact) return add(profile, foot, gap, true);
+  if (gap <= contact) return add_touch(profile, foot, gap);
   if (off > b.radius) return;
   const double half = std::sqrt((b.radius - off) * (b.radius + off));
-  for (const double sign : {-1.0, 1.0}) add(profile, foot + sign * half * a.direction, 0, false);
+  for (const double sign : {-1.0, 1.0})
+    add_crossing(profile, foot + sign * half * a.direction, half / b.radius);
 }
 
 // Of circles one of which the other one may lie in.
@@ -98,25 +136,28 @@ void meet(const ProfileCircle& a, const ProfileCircle& b, double contact, Profil
   const double outside = apart - a.radius - b.radius;
   const double inside = std::abs(a.radius - b.radius) - apart;
   if (std::abs(outside) <= contact)
-    return add(profile, a.centre + (a.radius + 0.5 * outside) * towards, std::abs(outside), true);
+    return add_touch(profile, a.centre + (a.radius + 0.5 * outside) * towards, std::abs(outside));
   if (std::abs(inside) <= contact) {
     const double sign = a.radius > b.radius ? 1 : -1;
-    return add(profile, a.centre + sign * (a.radius - 0.5 * sign * inside) * towards,
-               std::abs(inside), true);
+    return add_touch(profile, a.centre + sign * (a.radius - 0.5 * sign * inside) * towards,
+                     std::abs(inside));
   }
   if (outside > 0 || inside > 0) return;
   const double along = 0.5 * (apart + (a.radius - b.radius) * (a.radius + b.radius) / apart);
   const double half = std::sqrt(std::max(0.0, (a.radius - along) * (a.radius + along)));
   const Vec2 foot = a.centre + along * towards, side{-towards[1], towards[0]};
-  for (const double sign : {-1.0, 1.0}) add(profile, foot + sign * half * side, 0, false);
+  const double sine = half * apart / (a.radius * b.radius);
+  for (const double sign : {-1.0, 1.0}) add_crossing(profile, foot + sign * half * side, sine);
 }
 
-Profile common_profile(const Elementary& a, const Elementary& b, double height, double contact) {
+// reach   from the centre of a within which all that counts lies
+Profile common_profile(const Elementary& a, const Elementary& b, double height, double contact,
+                       double reach) {
   const std::vector<ProfileLine> lines_a = lines_of(a, 0), lines_b = lines_of(b, height);
   const std::optional<ProfileCircle> circle_a = circle_of(a, 0), circle_b = circle_of(b, height);
   Profile profile;
   for (const ProfileLine& x : lines_a) {
-    for (const ProfileLine& y : lines_b) meet(x, y, profile);
+    for (const ProfileLine& y : lines_b) meet(x, y, contact, reach, profile);
     if (circle_b) meet(x, *circle_b, contact, profile);
   }
   for (const ProfileLine& y : lines_b)
@@ -129,7 +170,7 @@ Profile common_profile(const Elementary& a, const Elementary& b, double height, 
 ElementaryMeeting turned(const Profile& profile, const Vec3& origin, const Vec3& axis,
                          double contact) {
   ElementaryMeeting made;
-  for (const auto& [radius, height, tangential, gap] : profile) {
+  for (const auto& [radius, height, tangential, gap, sine] : profile.points) {
     const Vec3 centre = origin + height * axis;
     const auto is_here = [&, &at = centre](const MeetingPoint& known) {
       return distance(known.point, at) <= contact;
@@ -140,6 +181,14 @@ ElementaryMeeting turned(const Profile& profile, const Vec3& origin, const Vec3&
       made.points.push_back({centre, std::max(gap, radius)});
   }
   return made;
+}
+
+// Whether what a profile becomes stands for what surfaces beside their places have in common.
+bool holds(const Profile& profile, const Misfit& misfit) {
+  return misfit.is_exact() || std::ranges::all_of(profile.points, [&](const ProfilePoint& point) {
+           return !point.tangential && point.radius > misfit.contact() &&
+                  misfit.settles(point.sine);
+         });
 }
 
 bool is_round(const Elementary& of) { return of.kind != ElementaryKind::Plane; }
@@ -154,10 +203,12 @@ Known round_one_axis(const Elementary& a, const Elementary& b, const Ball& ball,
   const Elementary &first = has_axis(a) ? a : b, &second = has_axis(a) ? b : a;
   const Vec3 between = second.centre - first.centre;
   const double tilt = has_axis(second) ? norm(cross(first.axis, second.axis)) : 0;
-  const double off = norm(across(between, first.axis)) + tilt * reach_of(second, ball);
-  if (off > limits.exact) return {};
-  return turned(common_profile(first, second, dot(between, first.axis), limits.contact),
-                first.centre, first.axis, limits.contact);
+  const Misfit misfit(norm(across(between, first.axis)) + tilt * reach_of(second, ball), limits);
+  if (!misfit.settles(1)) return {};
+  const Profile profile = common_profile(first, second, dot(between, first.axis), misfit.contact(),
+                                         reach_of(first, ball));
+  if (profile.open || !holds(profile, misfit)) return {};
+  return turned(profile, first.centre, first.axis, limits.contact);
 }
 
 // --- planes
@@ -178,7 +229,7 @@ Known plane_and_sphere(const Elementary& plane, const Elementary& sphere,
 
 // Lines along the axis of a cylinder.
 Known plane_along_cylinder(const Elementary& plane, const Elementary& cylinder, const Ball& ball,
-                           const MeetingLimits& limits) {
+                           const Misfit& misfit) {
   const Vec3 middle =
       cylinder.centre + dot(ball.centre - cylinder.centre, cylinder.axis) * cylinder.axis;
   const double height = dot(middle - plane.centre, plane.axis);
@@ -186,10 +237,12 @@ Known plane_along_cylinder(const Elementary& plane, const Elementary& cylinder, 
   const Vec3 foot = middle - height * plane.axis;
   const Vec3 along = unit(across(cylinder.axis, plane.axis));
   ElementaryMeeting made;
-  if (gap <= limits.contact) {
+  if (gap <= misfit.contact()) {
+    if (!misfit.is_exact()) return {};
     made.curves.push_back({line(foot, along), true, gap});
   } else if (std::abs(height) < cylinder.radius) {
     const double half = std::sqrt((cylinder.radius - height) * (cylinder.radius + height));
+    if (!misfit.settles(half / cylinder.radius)) return {};
     for (const double sign : {-1.0, 1.0})
       made.curves.push_back({line(foot + sign * half * cross(plane.axis, along), along)});
   }
@@ -199,8 +252,8 @@ Known plane_along_cylinder(const Elementary& plane, const Elementary& cylinder, 
 Known plane_and_cylinder(const Elementary& plane, const Elementary& cylinder, const Ball& ball,
                          const MeetingLimits& limits) {
   const double slope = dot(plane.axis, cylinder.axis);
-  if (std::abs(slope) * reach_of(cylinder, ball) <= limits.exact)
-    return plane_along_cylinder(plane, cylinder, ball, limits);
+  const Misfit misfit(std::abs(slope) * reach_of(cylinder, ball), limits);
+  if (misfit.settles(1)) return plane_along_cylinder(plane, cylinder, ball, misfit);
   if (std::abs(slope) < kMinSine) return {};
   const Vec3 centre =
       cylinder.centre + dot(plane.centre - cylinder.centre, plane.axis) / slope * cylinder.axis;
@@ -264,11 +317,12 @@ Known plane_and_cone(const Elementary& plane, const Elementary& cone, const Ball
   const double height = dot(plane.centre - cone.centre, plane.axis);
   const double reach = reach_of(cone, ball);
   const double tilt = norm(cross(plane.axis, cone.axis));
-  if (tilt * reach <= limits.exact) {
-    const double radius = std::abs(height) * std::tan(cone.angle);
-    if (std::abs(height) <= limits.contact && radius > limits.contact) return {};  // nearly flat
+  if (const Misfit misfit(tilt * reach, limits); misfit.settles(std::cos(cone.angle))) {
+    const double radius = std::abs(height) * std::tan(cone.angle), contact = misfit.contact();
+    if (std::abs(height) <= contact && radius > contact) return {};  // nearly flat
+    if (radius <= contact && !misfit.is_exact()) return {};
     const Vec3 centre = cone.centre + height * plane.axis;
-    if (radius <= limits.contact) return ElementaryMeeting{{}, {{centre, std::abs(height)}}};
+    if (radius <= contact) return ElementaryMeeting{{}, {{centre, std::abs(height)}}};
     return ElementaryMeeting{{{circle(centre, plane.axis, radius)}}, {}};
   }
   if (std::abs(height) <= limits.exact) return plane_through_apex(plane, cone, ball, limits);
@@ -282,20 +336,23 @@ Known plane_and_torus(const Elementary& plane, const Elementary& torus,
   const double height = dot(plane.centre - torus.centre, plane.axis);
   const double most = torus.radius + torus.minor;
   ElementaryMeeting made;
-  if (norm(cross(plane.axis, torus.axis)) * most <= limits.exact) {
+  const Misfit across_axis(norm(cross(plane.axis, torus.axis)) * most, limits);
+  if (across_axis.settles(1)) {
     const Vec3 centre = torus.centre + height * plane.axis;
     const double gap = std::abs(std::abs(height) - torus.minor);
-    if (gap <= limits.contact) {
+    if (gap <= across_axis.contact()) {
+      if (!across_axis.is_exact()) return {};
       made.curves.push_back({circle(centre, plane.axis, torus.radius), true, gap});
     } else if (std::abs(height) < torus.minor) {
       const double half = std::sqrt((torus.minor - height) * (torus.minor + height));
+      if (!across_axis.settles(half / torus.minor)) return {};
       for (const double sign : {-1.0, 1.0})
         made.curves.push_back({circle(centre, plane.axis, torus.radius + sign * half)});
     }
     return made;
   }
   const double slope = std::abs(dot(plane.axis, torus.axis));
-  if (slope * most + std::abs(height) > limits.exact) return {};
+  if (!Misfit(slope * most + std::abs(height), limits).settles(1)) return {};
   const Vec3 aside = unit(cross(plane.axis, torus.axis));
   for (const double sign : {-1.0, 1.0})
     made.curves.push_back(
@@ -358,22 +415,23 @@ Known two_cylinders(const Elementary& a, const Elementary& b, const Ball& ball,
   const auto middle = [&](const Elementary& of) {
     return of.centre + dot(ball.centre - of.centre, a.axis) * a.axis;
   };
-  if (tilt * (reach_of(a, ball) + reach_of(b, ball)) > limits.exact)
-    return crossing_cylinders(a, b, limits);
+  const Misfit misfit(tilt * (reach_of(a, ball) + reach_of(b, ball)), limits);
+  if (!misfit.settles(1)) return crossing_cylinders(a, b, limits);
   const Vec3 from = middle(a), between = across(middle(b) - from, a.axis);
-  const double apart = norm(between);
-  if (apart <= limits.contact) {
-    if (std::abs(a.radius - b.radius) <= 2 * limits.contact) return {};
+  const double apart = norm(between), contact = misfit.contact();
+  if (apart <= contact) {
+    if (std::abs(a.radius - b.radius) <= 2 * contact) return {};
     return ElementaryMeeting{};
   }
   // The section across both axes, turned so that the second centre lies on one side of the first.
   const Vec3 x = (1 / apart) * between, y = cross(a.axis, x);
   Profile profile;
   const double far = a.radius + b.radius + apart;  // keeps the half plane out of it
-  meet(ProfileCircle{{far, 0}, a.radius}, ProfileCircle{{far + apart, 0}, b.radius}, limits.contact,
+  meet(ProfileCircle{{far, 0}, a.radius}, ProfileCircle{{far + apart, 0}, b.radius}, contact,
        profile);
+  if (!holds(profile, misfit)) return {};
   ElementaryMeeting made;
-  for (const auto& [radius, height, tangential, gap] : profile)
+  for (const auto& [radius, height, tangential, gap, sine] : profile.points)
     made.curves.push_back({line(from + (radius - far) * x + height * y, a.axis), tangential, gap});
   return made;
 }

@@ -14,7 +14,8 @@ namespace blossom {
 
 /// What distances count as nothing; model units.
 struct MeetingLimits {
-  double exact = 0;    ///< axes and centres that lie on each other do so within this
+  double exact = 0;    ///< axes and centres that lie on each other do so within this; where nothing
+                       ///< touches, also if that keeps all curves within half a contact
   double contact = 0;  ///< surfaces that pass each other no farther apart, or deeper, touch
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/forms/elementary_meeting.h"
 
@@ -157,6 +159,57 @@ TEST(ElementaryMeeting, SaysNothingOfOtherPositions) {
   EXPECT_FALSE(elementary_meeting(sphere_of(2), cylinder_of(2, {1, 0, 0}), kHere, kLimits));
   EXPECT_FALSE(elementary_meeting(sphere_of(2), sphere_of(2 + 5e-8), kHere, kLimits));
   EXPECT_FALSE(elementary_meeting(plane_at(1, unit(Vec3{2, 0, 1})), cone_of(0.5), kHere, kLimits));
+}
+
+// Files round to ten digits, which is more than an exact place is off. As long as the curves are no
+// farther off than half a contact, whose share of the angle they take.
+TEST(ElementaryMeeting, AxesThatMissEachOtherALittleAreOneWhereNothingTouches) {
+  const double off = 3e-8;
+  const std::vector<std::pair<Elementary, Elementary>> pairs{
+      {cylinder_of(2), cone_of(pi / 4, {off, 0, 1})},
+      {sphere_of(5, {off, 0, 0}), cylinder_of(3)},
+      {torus_of(5, 1), cylinder_of(5.2, {0, off, 0})},
+      {plane_at(0.5, unit(Vec3{off / 6, 0, 1})), torus_of(5, 1)},
+      {plane_at(off, unit(Vec3{1, 0, 0})), torus_of(5, 1)},
+      {plane_at(0, unit(Vec3{1, 0, off / 100})), cylinder_of(2)},
+      {plane_at(1, unit(Vec3{off / 105, 0, 1})), cone_of(0.5)},
+      {cylinder_of(2), cylinder_of(3, {4, 0, 0}, unit(Vec3{off / 300, 0, 1}))}};
+  for (const auto& [a, b] : pairs) {
+    const auto found = elementary_meeting(a, b, kHere, kLimits);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_TRUE(found->points.empty());
+    EXPECT_FALSE(found->curves.empty());
+    for (const MeetingCurve& curve : found->curves) {
+      EXPECT_FALSE(curve.tangential);
+      for (const double t : {0.3, 1.7, 4.0, 6.0}) {
+        const Vec3 point = point_at(curve.conic, t);
+        EXPECT_LE(std::abs(height_over(a, point).value), 0.5 * kLimits.contact);
+        EXPECT_LE(std::abs(height_over(b, point).value), 0.5 * kLimits.contact);
+      }
+    }
+  }
+}
+
+TEST(ElementaryMeeting, AxesThatMissEachOtherALittleAreSearchedWhereItMatters) {
+  const double off = 3e-8;
+  const auto is_known = [](const Elementary& a, const Elementary& b) {
+    return elementary_meeting(a, b, kHere, kLimits).has_value();
+  };
+  EXPECT_FALSE(is_known(cylinder_of(2), cone_of(pi / 4, {2 * off, 0, 1})));    // too far
+  EXPECT_FALSE(is_known(cylinder_of(2), cone_of(0.5, {off, 0, 1})));           // too flat
+  EXPECT_FALSE(is_known(sphere_of(2 + 1.1e-7, {off, 0, 0}), torus_of(3, 1)));  // they may touch
+  EXPECT_FALSE(is_known(cone_of(0.5), cone_of(0.9, {off, 0, 0})));             // in an apex
+  EXPECT_FALSE(is_known(plane_at(0, {1, 0, 0}), cylinder_of(2, {2, 0, 0}, {off / 200, 0, 1})));
+}
+
+// Over a hundred lengths they come near each other, or do not.
+TEST(ElementaryMeeting, RulingsThatHardlyCrossMissEachOtherWhereThatIsFarAway) {
+  const auto meeting = [](double apex) {
+    return elementary_meeting(cone_of(0.5), cone_of(0.5 + 2e-4, {0, 0, apex}), kHere, kLimits);
+  };
+  EXPECT_FALSE(meeting(0.001).has_value());
+  ASSERT_TRUE(meeting(1).has_value());
+  EXPECT_EQ(meeting(1)->curves.size(), 1u);  // of halves that face each other
 }
 
 TEST(ElementaryMeeting, AConeThatIsNearlyFlatIsAsFarFromAPlaneAsItsSlopeTakesIt) {
