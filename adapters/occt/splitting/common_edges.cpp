@@ -276,8 +276,9 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
   };
   take(bounding_edges(b_[face_b]), in_a_[face_a]);
   take(bounding_edges(a_[face_a]), in_b_[face_b]);
+  // The surface itself may be as far from its own edge as that states.
   const auto near =
-      edges_in_reach(edges, [this](const TopoDS_Edge& edge) { return this->reach(edge); });
+      edges_in_reach(edges, [this](const TopoDS_Edge& edge) { return most_reach(edge); });
   const CrossedFaces crossed{BRep_Tool::Surface(a_[face_a]), BRep_Tool::Surface(b_[face_b]),
                              options_.tolerances.point};
   std::vector<std::size_t> along;

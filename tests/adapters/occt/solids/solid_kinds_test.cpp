@@ -21,10 +21,15 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Line.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 
@@ -296,6 +301,24 @@ TEST(SolidKinds, CurvesMayCrossBesideTheVertexInWhichTheyAreSaidToTouch) {
     sum += made.total.result;
   }
   EXPECT_NEAR(sum, 9.0661585, 1e-6);  // V(part), which is no closed form
+}
+
+// An edge lies in the face x = 0, and in the plane of the tool's, but 0.003 off the face y = 0,
+// where it bounds that one by what it states. So that plane and the tool meet in it.
+TEST(SolidKinds, FacesMeetWhatAnEdgeLiesInAlongTheEdgeThoughTheyAreOffIt) {
+  const TopoDS_Shape part = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  const BRep_Builder builder;
+  for (TopExp_Explorer it(part, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    const TopoDS_Vertex from = TopExp::FirstVertex(edge), to = TopExp::LastVertex(edge);
+    const gp_Pnt p = BRep_Tool::Pnt(from), q = BRep_Tool::Pnt(to);
+    if (p.X() + q.X() + p.Y() + q.Y() != 0) continue;
+    builder.UpdateEdge(edge, new Geom_Line(gp_Pnt(0, 0.003, 0), gp::DZ()), 0.004);
+    for (const TopoDS_Vertex& end : {from, to}) builder.UpdateVertex(end, 0.004);
+  }
+  const TopoDS_Shape tool = BRepPrimAPI_MakeBox(gp_Pnt(-5, -3, 2), gp_Pnt(0, 3, 8)).Shape();
+  expect_volume(part, tool, SolidOperation::Fuse, 1180);
+  expect_volume(part, tool, SolidOperation::Common, 0);
 }
 
 TEST(SolidKinds, AFlatFaceMayBeASpline) {
