@@ -41,6 +41,13 @@ constexpr double kExactShare = 1e-3;  // of the tolerance: a projection so near 
 constexpr int kImageSamples = 33;
 constexpr double kStart = 1e-3;      // of a run: a place on it near its start
 constexpr double kSamePlace = 1e-9;  // of a run: joints so near are one
+// Of a parameter: between joints nearer than this there are few numbers left.
+constexpr double kFewNumbers = 0x1p-40;
+
+double least_piece(const Interval& run) {
+  return std::max(kSamePlace * length(run),
+                  kFewNumbers * std::max(std::abs(run.from), std::abs(run.to)));
+}
 
 double deviation(const Handle(Geom_Curve) & curve, const Handle(Geom2d_Curve) & chart,
                  const Interval& range, const SurfaceProjector& feet) {
@@ -206,7 +213,7 @@ std::vector<Interval> CurveBeside::between_poles(const Interval& run) const {
         const double middle = at(around, 0.5);
         (approach(middle) > 0 ? around.to : around.from) = middle;
       }
-      const double least = kSamePlace * length(run);
+      const double least = least_piece(run);
       if (feet_.pole_at(in_space(around.to).point) != &pole || around.to < run.from + least ||
           around.to > run.to - least)
         continue;
@@ -333,7 +340,7 @@ std::vector<double> CurveBeside::joints(const Interval& run) const {
   at.insert(at.end(), breaks.begin(), breaks.end());
   add_knot_lines(run, at);
   std::sort(at.begin(), at.end());
-  const double least = kSamePlace * length(run);
+  const double least = least_piece(run);
   std::vector<double> apart{run.from};
   for (const double t : at)
     if (t > apart.back() + least && t < run.to - least) apart.push_back(t);
@@ -380,6 +387,7 @@ double CurveBeside::off(const FaceCut& cut, double t) const {
 FaceCut CurveBeside::fitted_cut(const Interval& run, double wanted, double tolerance) const {
   const std::vector<double> joints = this->joints(run);
   const std::size_t most = kMaxPieces * (joints.size() - 1);
+  const double least = least_piece(run);
   std::vector<double> ends{run.from};
   for (std::size_t k = 0; k + 1 < joints.size(); ++k)
     for (int i = 1; i <= kMinPieces; ++i)
@@ -391,7 +399,7 @@ FaceCut CurveBeside::fitted_cut(const Interval& run, double wanted, double toler
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       const double middle = 0.5 * (ends[i] + ends[i + 1]), off = this->off(cut, middle);
       largest = std::max(largest, off);
-      if (off > wanted && ends[i + 1] - ends[i] > kSamePlace * length(run)) finer.push_back(middle);
+      if (off > wanted && ends[i + 1] - ends[i] > least) finer.push_back(middle);
       finer.push_back(ends[i + 1]);
     }
     if (finer.size() > ends.size() && finer.size() <= most + 1) {
