@@ -208,7 +208,9 @@ Known round_one_axis(const Elementary& a, const Elementary& b, const Ball& ball,
   const Profile profile = common_profile(first, second, dot(between, first.axis), misfit.contact(),
                                          reach_of(first, ball));
   if (profile.open || !holds(profile, misfit)) return {};
-  return turned(profile, first.centre, first.axis, limits.contact);
+  // Half way between the axes, so that what is off both is the same.
+  const Vec3 aside = misfit.is_exact() ? Vec3{} : 0.5 * across(between, first.axis);
+  return turned(profile, first.centre + aside, first.axis, limits.contact);
 }
 
 // --- planes

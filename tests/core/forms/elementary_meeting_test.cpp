@@ -183,8 +183,8 @@ TEST(ElementaryMeeting, AxesThatMissEachOtherALittleAreOneWhereNothingTouches) {
       EXPECT_FALSE(curve.tangential);
       for (const double t : {0.3, 1.7, 4.0, 6.0}) {
         const Vec3 point = point_at(curve.conic, t);
-        EXPECT_LE(std::abs(height_over(a, point).value), 0.5 * kLimits.contact);
-        EXPECT_LE(std::abs(height_over(b, point).value), 0.5 * kLimits.contact);
+        EXPECT_LE(std::abs(height_over(a, point).value), off);
+        EXPECT_LE(std::abs(height_over(b, point).value), off);
       }
     }
   }
