@@ -374,7 +374,7 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
   result.certificate = found.certificate;
   CommonEdges common(a.faces, b.faces, options, lying);
   const auto add_common_edges = [&] {
-    common.know_equal(found);
+    if (a.is_solid() && b.is_solid()) common.know_equal(found);
     for (const FaceIntersection& pair : found.pairs) {
       common.add(pair);
       if (lying == EdgesLie::Nearby) common.add_touches(pair);

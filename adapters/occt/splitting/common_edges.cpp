@@ -73,14 +73,6 @@ void CommonEdges::know_equal(const ShapeIntersection& found) {
     }
 }
 
-bool CommonEdges::is_equal_to_edge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) const {
-  const TopoDS_Shape* const equal = equals_.Seek(edge);
-  if (equal == nullptr) return false;
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    if (it.Current().IsSame(*equal)) return true;
-  return false;
-}
-
 void CommonEdges::add(const FaceIntersection& pair) {
   const auto face_a = static_cast<std::size_t>(pair.face_a);
   const auto face_b = static_cast<std::size_t>(pair.face_b);
@@ -168,6 +160,15 @@ bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet)
                              [&](const Interval& run) { return !passes(of, run, feet, reach_); });
 }
 
+bool CommonEdges::is_in(const TopoDS_Edge& edge, const TopoDS_Face& face,
+                        const SurfaceProjector& feet) {
+  const TopoDS_Shape* const equal = equals_.Seek(edge);
+  if (equal == nullptr) return lies_on(edge, feet);
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    if (it.Current().IsSame(*equal)) return true;
+  return false;
+}
+
 // Which of the edges lie in a face of the other shape, and where they meet its edges.
 void CommonEdges::lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face) {
   const TopoDS_Face& in = of == Of::A ? b_[face] : a_[face];
@@ -180,7 +181,7 @@ void CommonEdges::lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t 
       continue;
     if (!feet) feet.emplace(in, options_.tolerances.point);
     ask_limit();
-    if (!is_equal_to_edge_of(edge, in) && !lies_on(edge, *feet)) continue;
+    if (!is_in(edge, in, *feet)) continue;
     lying.push_back(edge);
     for (TopExp_Explorer it(in, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge own = TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD));

@@ -68,8 +68,9 @@ class CommonEdges {
   CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
               const IntersectionOptions& options, EdgesLie lying = EdgesLie::WhereFacesMeet);
 
-  /// Takes over what edges are known to be equal: they lie in each other's faces, and nothing is
-  /// searched for that. To be called before edges are added.
+  /// Takes over which edges are known to be equal. Faces of a solid have edges of it in common
+  /// alone: these edges lie in the faces that have their equals, and in no others, and nothing is
+  /// searched for that. To be called before edges are added, and for solids only.
   void know_equal(const ShapeIntersection& found);
 
   /// Looks at the edges of two faces that meet: at all where the faces coincide, where intersection
@@ -128,7 +129,7 @@ class CommonEdges {
   Bnd_Box box_of(const TopoDS_Shape& shape, double margin);
   double most_reach(const TopoDS_Edge& edge) const;
   bool lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet);
-  bool is_equal_to_edge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
+  bool is_in(const TopoDS_Edge& edge, const TopoDS_Face& face, const SurfaceProjector& feet);
   void lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
   void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
   void touch(const FaceIntersection& pair, Of whose);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Common.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -319,6 +320,14 @@ TEST(SolidKinds, FacesMeetWhatAnEdgeLiesInAlongTheEdgeThoughTheyAreOffIt) {
   const TopoDS_Shape tool = BRepPrimAPI_MakeBox(gp_Pnt(-5, -3, 2), gp_Pnt(0, 3, 8)).Shape();
   expect_volume(part, tool, SolidOperation::Fuse, 1180);
   expect_volume(part, tool, SolidOperation::Common, 0);
+}
+
+// Its edges lie in the faces of the copy that have their equals, with no search.
+TEST(SolidKinds, ASolidOfSplinesIsOneWithItsCopy) {
+  const TopoDS_Shape part =
+      BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCone(2, 1, 3, kPi / 2).Shape()).Shape();
+  const double volume = kPi / 4 * 7;
+  expect_volumes(part, volume, BRepBuilderAPI_Copy(part).Shape(), volume, volume);
 }
 
 TEST(SolidKinds, AFlatFaceMayBeASpline) {
