@@ -21,7 +21,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangle = std::array<int, 3>;
 
-constexpr int kAskAfter = 1 << 14;  // pairs
+constexpr std::size_t kAskAfter = 1 << 14;  // pairs
 
 // A side, its lower vertex first, and the triangle that has it.
 struct Side {
@@ -46,8 +46,8 @@ std::vector<Side> sides_of(std::span<const Triangle> triangles) {
 class Judge {
  public:
   Judge(std::span<const Vec3> points, std::span<const Triangle> triangles,
-        const std::function<void()>& ask)
-      : points_(points), triangles_(triangles), ask_(ask) {}
+        const std::function<void()>& ask, const std::function<void(int, int)>& crossing)
+      : points_(points), triangles_(triangles), ask_(ask), crossing_(crossing) {}
 
   MeshVerdict verdict() {
     count_sides();
@@ -114,15 +114,29 @@ class Judge {
       boxes.push_back(box);
     }
     const BoxTree tree(boxes);
-    int asked = 0;
+    std::size_t asked = 0;
     tree.for_each_meeting(tree, [&](int i, int j) {
       if (ask_ && ++asked % kAskAfter == 0) ask_();
       if (i >= j || flat_[index(i)] || flat_[index(j)] ||
           !cross_beyond(triangles_[index(i)], triangles_[index(j)]))
         return;
-      found_.crossing_pairs.push_back({i, j});
+      ++found_.crossings;
+      if (crossing_) crossing_(i, j);
+      list({i, j});
     });
-    std::ranges::sort(found_.crossing_pairs);
+    std::ranges::sort_heap(found_.crossing_pairs);
+  }
+
+  // A heap whose top is the last of those listed.
+  void list(const std::array<int, 2>& pair) {
+    std::vector<std::array<int, 2>>& listed = found_.crossing_pairs;
+    if (listed.size() == kListedPairs) {
+      if (listed.front() < pair) return;
+      std::ranges::pop_heap(listed);
+      listed.pop_back();
+    }
+    listed.push_back(pair);
+    std::ranges::push_heap(listed);
   }
 
   // Beyond the vertices that they share.
@@ -153,6 +167,7 @@ class Judge {
   std::span<const Vec3> points_;
   std::span<const Triangle> triangles_;
   const std::function<void()>& ask_;
+  const std::function<void(int, int)>& crossing_;
   std::vector<char> flat_;
   MeshVerdict found_;
 };
@@ -173,9 +188,10 @@ void check(std::span<const Vec3> points, std::span<const Triangle> triangles) {
 }  // namespace
 
 MeshVerdict judge_mesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
-                       const std::function<void()>& ask) {
+                       const std::function<void()>& ask,
+                       const std::function<void(int, int)>& crossing) {
   check(points, triangles);
-  return Judge(points, triangles, ask).verdict();
+  return Judge(points, triangles, ask, crossing).verdict();
 }
 
 }  // namespace blossom::cgal

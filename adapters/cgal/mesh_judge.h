@@ -15,6 +15,10 @@
 
 namespace blossom::cgal {
 
+/// So many pairs are listed: all that is named one by one. Of triangles at one place there are as
+/// many as the square of their number.
+inline constexpr std::size_t kListedPairs = 1000;
+
 struct MeshVerdict {
   std::size_t open_sides = 0;     ///< of one triangle alone, or an odd number
   std::size_t crowded_sides = 0;  ///< of more than two
@@ -24,8 +28,8 @@ struct MeshVerdict {
   double area = 0;
   /// Enclosed where the mesh is closed, negative if it is turned inside out; to rounding.
   double volume = 0;
-  /// Pairs of triangles that meet beyond what they share, by place.
-  std::vector<std::array<int, 2>> crossing_pairs;
+  std::size_t crossings = 0;  ///< pairs of triangles that meet beyond what they share
+  std::vector<std::array<int, 2>> crossing_pairs;  ///< the first kListedPairs of them, by place
 
   /// All sides are gone along as often one way as the other; bodies may share a side.
   bool closed() const { return open_sides == 0 && turned_sides == 0; }
@@ -36,9 +40,12 @@ struct MeshVerdict {
 /// points      model units
 /// triangles   three indices of points each
 /// ask         asked now and then; may throw to end the work
+/// crossing    called for each pair of `crossings`, the lower place first, in no order
 /// throws      InvalidInput if an index is out of range or a coordinate is not finite
-/// cost        O(n log n) for n triangles that meet few others
+/// cost        O(n log n) for n triangles that meet few others; memory in proportion to n, however
+///             many cross
 MeshVerdict judge_mesh(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles,
-                       const std::function<void()>& ask = {});
+                       const std::function<void()>& ask = {},
+                       const std::function<void(int, int)>& crossing = {});
 
 }  // namespace blossom::cgal

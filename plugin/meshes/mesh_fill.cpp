@@ -67,7 +67,7 @@ reports::Json mesh_fill_report(const std::string& file, const FilledMesh& filled
           {"left_sides", filled.left_sides},
           {"triangles", filled.mesh.triangles.size()},
           {"closed", judged ? Json(judged->closed()) : Json(nullptr)},
-          {"crossings", judged ? Json(judged->crossing_pairs.size()) : Json(nullptr)},
+          {"crossings", judged ? Json(judged->crossings) : Json(nullptr)},
           {"volume", judged && judged->closed() ? Json(judged->volume) : Json(nullptr)},
           {"notes", filled.mesh.notes},
           {"seconds", filled.seconds}};
@@ -96,8 +96,7 @@ std::string mesh_fill_text(const std::string& file, const FilledMesh& filled) {
   if (filled.judged) {
     text << (filled.judged->closed() ? "  closed now, volume " : "  not closed");
     if (filled.judged->closed()) text << filled.judged->volume;
-    text << ", " << counted(filled.judged->crossing_pairs.size(), "pair")
-         << " of triangles that cross\n";
+    text << ", " << counted(filled.judged->crossings, "pair") << " of triangles that cross\n";
   }
   return text.str() + notes_text(filled.mesh);
 }

@@ -16,27 +16,22 @@
 namespace blossom::meshes {
 namespace {
 
-constexpr std::size_t kNamedPairs = 10;     // in summaries
-constexpr std::size_t kListedPairs = 1000;  // in reports
-
-using Pairs = std::vector<std::array<int, 2>>;
-
-Pairs first_of(const Pairs& all) {
-  return {all.begin(),
-          all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kListedPairs))};
-}
-
+constexpr std::size_t kNamedPairs = 10;  // in summaries
 }  // namespace
 
 #ifdef BLOSSOM_WITH_CGAL
-std::optional<JudgedMesh> judged_mesh(const FileMesh& mesh, const std::function<void()>& stop) {
-  cgal::MeshVerdict found = cgal::judge_mesh(mesh.points, mesh.triangles, stop);
-  return JudgedMesh{
-      found.open_sides, found.crowded_sides, found.turned_sides, found.degenerate,
-      found.parts,      found.area,          found.volume,       std::move(found.crossing_pairs)};
+std::optional<JudgedMesh> judged_mesh(const FileMesh& mesh, const std::function<void()>& stop,
+                                      const std::function<void(int, int)>& crossing) {
+  cgal::MeshVerdict found = cgal::judge_mesh(mesh.points, mesh.triangles, stop, crossing);
+  return JudgedMesh{found.open_sides, found.crowded_sides, found.turned_sides,
+                    found.degenerate, found.parts,         found.area,
+                    found.volume,     found.crossings,     std::move(found.crossing_pairs)};
 }
 #else
-std::optional<JudgedMesh> judged_mesh(const FileMesh&, const std::function<void()>&) { return {}; }
+std::optional<JudgedMesh> judged_mesh(const FileMesh&, const std::function<void()>&,
+                                      const std::function<void(int, int)>&) {
+  return {};
+}
 #endif
 
 reports::Json mesh_check_report(const std::string& file, const FileMesh& mesh,
@@ -52,8 +47,8 @@ reports::Json mesh_check_report(const std::string& file, const FileMesh& mesh,
           {"non_manifold_sides", found.crowded_sides},
           {"turned_sides", found.turned_sides},
           {"degenerate", found.degenerate},
-          {"crossings", found.crossing_pairs.size()},
-          {"crossing_triangles", first_of(found.crossing_pairs)},
+          {"crossings", found.crossings},
+          {"crossing_triangles", found.crossing_pairs},
           {"area", found.area},
           {"volume", found.closed() ? reports::Json(found.volume) : reports::Json(nullptr)},
           {"notes", mesh.notes}};
@@ -82,12 +77,12 @@ std::string mesh_check_text(const std::string& file, const FileMesh& mesh,
   line(found.crowded_sides, "side", "of more than two triangles");
   line(found.turned_sides, "side", "whose triangles are turned against each other");
   line(found.degenerate, "triangle", "of no area");
-  line(found.crossing_pairs.size(), "pair", "of triangles that cross");
+  line(found.crossings, "pair", "of triangles that cross");
   for (std::size_t k = 0; k < found.crossing_pairs.size() && k < kNamedPairs; ++k)
     text << "    triangles " << found.crossing_pairs[k][0] + 1 << " and "
          << found.crossing_pairs[k][1] + 1 << "\n";
-  if (found.crossing_pairs.size() > kNamedPairs)
-    text << "    and " << found.crossing_pairs.size() - kNamedPairs << " more\n";
+  if (found.crossings > kNamedPairs)
+    text << "    and " << found.crossings - kNamedPairs << " more\n";
   if (found.closed() && found.volume < 0) text << "  it is turned inside out\n";
   return text.str() + notes_text(mesh);
 }

@@ -20,18 +20,20 @@ struct JudgedMesh {
   std::size_t open_sides = 0, crowded_sides = 0, turned_sides = 0;
   std::size_t degenerate = 0, parts = 0;
   double area = 0, volume = 0;
-  std::vector<std::array<int, 2>> crossing_pairs;
+  std::size_t crossings = 0;
+  std::vector<std::array<int, 2>> crossing_pairs;  ///< the first of them
 
   bool closed() const { return open_sides == 0 && turned_sides == 0; }
   bool sound() const {
-    return closed() && crowded_sides == 0 && degenerate == 0 && crossing_pairs.empty() &&
-           volume > 0;
+    return closed() && crowded_sides == 0 && degenerate == 0 && crossings == 0 && volume > 0;
   }
 };
 
 /// Nothing if it was built without CGAL.
-/// stop   asked now and then; may throw to end the work
-std::optional<JudgedMesh> judged_mesh(const FileMesh& mesh, const std::function<void()>& stop);
+/// stop       asked now and then; may throw to end the work
+/// crossing   called for each pair of triangles that cross
+std::optional<JudgedMesh> judged_mesh(const FileMesh& mesh, const std::function<void()>& stop,
+                                      const std::function<void(int, int)>& crossing = {});
 
 /// Schema blossom.mesh-check/1.
 reports::Json mesh_check_report(const std::string& file, const FileMesh& mesh,

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "core/base/errors.h"
@@ -20,7 +22,7 @@ TEST(MeshVerdict, OfATetrahedronIsClosedWithItsVolume) {
   const cgal::MeshVerdict found = cgal::judge_mesh(kCorners, kTetrahedron);
   EXPECT_TRUE(found.closed());
   EXPECT_DOUBLE_EQ(found.volume, 2);
-  EXPECT_EQ(found.crossing_pairs.size(), 0u);
+  EXPECT_EQ(found.crossings, 0u);
   EXPECT_EQ(found.degenerate, 0u);
   EXPECT_EQ(found.parts, 1u);
 }
@@ -64,12 +66,30 @@ TEST(MeshVerdict, HasAVolumeWhereBodiesShareASide) {
 TEST(MeshVerdict, FindsCrossingsOfTrianglesThatShareNothingACornerOrASide) {
   const std::vector<Vec3> points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0},  {1, 1, -1},
                                  {1, 1, 1}, {3, 3, 1}, {1, 1, -2}, {1, 1, 0}};
-  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {3, 4, 5}}).crossing_pairs.size(), 1u);
-  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 4, 6}}).crossing_pairs.size(), 1u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {3, 4, 5}}).crossings, 1u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 4, 6}}).crossings, 1u);
   // Folded onto the other one, and beside it.
-  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {1, 0, 7}}).crossing_pairs.size(), 1u);
-  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {1, 0, 4}}).crossing_pairs.size(), 0u);
-  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 1, 2}}).crossing_pairs.size(), 1u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {1, 0, 7}}).crossings, 1u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {1, 0, 4}}).crossings, 0u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 1, 2}}).crossings, 1u);
+}
+
+// As many pairs as the square of the triangles: memory must not grow with them.
+TEST(MeshVerdict, CountsAllCrossingsOfCoincidentTrianglesAndListsTheFirst) {
+  const int n = 60;
+  const Triangles same(n, Triangles::value_type{0, 1, 2});
+  std::set<std::array<int, 2>> told;
+
+  const cgal::MeshVerdict found = cgal::judge_mesh(kCorners, same, {}, [&](int a, int b) {
+    told.insert({a, b});
+  });
+
+  const std::size_t pairs = n * (n - 1) / 2;
+  ASSERT_GT(pairs, cgal::kListedPairs);
+  EXPECT_EQ(found.crossings, pairs);
+  EXPECT_EQ(told.size(), pairs);
+  ASSERT_EQ(found.crossing_pairs.size(), cgal::kListedPairs);
+  EXPECT_TRUE(std::equal(found.crossing_pairs.begin(), found.crossing_pairs.end(), told.begin()));
 }
 
 TEST(MeshVerdict, CountsFlatTrianglesExactly) {

@@ -43,11 +43,11 @@ meshes::ShapeMesh meshed(const Input& input, const std::vector<meshes::MeshGroup
 void look_for_crossings(const meshes::ShapeMesh& made, const std::vector<int>& numbers,
                         const std::vector<int>& parts, reports::MeshAnswer& answer) {
   if (made.mesh.triangles.size() > kMaxJudged) return;
-  const auto judged = meshes::judged_mesh(made.mesh, stop_if_interrupted);
-  if (!judged) return;
   std::vector<int> number_of;
   for (const int face : made.face_of) number_of.push_back(numbers[static_cast<std::size_t>(face)]);
-  const Crossings crossings = crossings_of(*judged, number_of, parts);
+  const auto judged = judged_parts(made.mesh, number_of, parts);
+  if (!judged) return;
+  const Crossings& crossings = judged->crossings;
   answer.crossings = crossings.inside + crossings.between;
   answer.between_parts = crossings.between;
   answer.crossing_faces.assign(crossings.faces.begin(), crossings.faces.end());

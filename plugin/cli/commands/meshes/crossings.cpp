@@ -2,7 +2,9 @@
 #include "plugin/cli/commands/meshes/crossings.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "plugin/cli/process/interruption.h"
 #include "plugin/reports/models/parts.h"
 
 namespace blossom::cli {
@@ -24,14 +26,15 @@ std::vector<int> parts_of_faces(const Input& input) {
   return parts;
 }
 
-Crossings crossings_of(const meshes::JudgedMesh& found, const std::vector<int>& number_of,
-                       const std::vector<int>& parts) {
+std::optional<JudgedParts> judged_parts(const meshes::FileMesh& mesh,
+                                        const std::vector<int>& number_of,
+                                        const std::vector<int>& parts) {
   Crossings crossings;
   const auto part_of = [&](int number) { return parts[static_cast<std::size_t>(number) - 1]; };
-  for (const auto& [a, b] : found.crossing_pairs) {
+  const auto found = meshes::judged_mesh(mesh, stop_if_interrupted, [&](int a, int b) {
     const int i = number_of[static_cast<std::size_t>(a)],
               j = number_of[static_cast<std::size_t>(b)];
-    if (part_of(i) == kNotMeant && part_of(j) == kNotMeant) continue;
+    if (part_of(i) == kNotMeant && part_of(j) == kNotMeant) return;
     const std::array<int, 2> pair{std::min(i, j), std::max(i, j)};
     crossings.faces.insert(pair);
     if (part_of(i) != part_of(j)) {
@@ -40,8 +43,9 @@ Crossings crossings_of(const meshes::JudgedMesh& found, const std::vector<int>& 
       ++crossings.inside;
       crossings.faces_inside.insert(pair);
     }
-  }
-  return crossings;
+  });
+  if (!found) return {};
+  return JudgedParts{*found, std::move(crossings)};
 }
 
 }  // namespace blossom::cli

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -25,8 +26,16 @@ struct Crossings {
   Faces faces{}, faces_inside{};        ///< all, and those of one part
 };
 
+struct JudgedParts {
+  meshes::JudgedMesh mesh;
+  Crossings crossings{};
+};
+
+/// Nothing without CGAL.
 /// number_of   of the face of a triangle, by the triangle's place
-Crossings crossings_of(const meshes::JudgedMesh& found, const std::vector<int>& number_of,
-                       const std::vector<int>& parts);
+/// throws      at an interruption
+std::optional<JudgedParts> judged_parts(const meshes::FileMesh& mesh,
+                                        const std::vector<int>& number_of,
+                                        const std::vector<int>& parts);
 
 }  // namespace blossom::cli

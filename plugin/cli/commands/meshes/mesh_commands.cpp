@@ -126,13 +126,12 @@ DeepCheck deep_check(const Input& input) {
     std::vector<int> face_of;
     const occt::ShapeTessellation made = occt::tessellation(shape, options);
     const FileMesh mesh{made.facets.points, occt::triangles_of(made, &face_of)};
-    const auto found = meshes::judged_mesh(mesh, stop_if_interrupted);
-    if (!found) throw UsageError("--deep needs CGAL, which this program lacks");
     for (int& face : face_of) ++face;  // its number
-    const Crossings crossings = crossings_of(*found, face_of, parts);
-    check = deep_answer(mesh, *found, made.facets.distance, crossings, labels);
+    const auto found = judged_parts(mesh, face_of, parts);
+    if (!found) throw UsageError("--deep needs CGAL, which this program lacks");
+    check = deep_answer(mesh, found->mesh, made.facets.distance, found->crossings, labels);
     stop_if_interrupted();
-    if (crossings.inside == 0) break;
+    if (found->crossings.inside == 0) break;
   }
   return check;
 }
