@@ -60,6 +60,8 @@ void FacePolygon::take(const ModelFace& face, std::size_t number,
   const auto origin = [&](std::size_t k) { return EdgePoint{edge, is_point ? 0 : k}; };
   Vec2 before = corner(border.from);
   int last = place_of(before, origin(border.reversed ? count : 0));
+  // A point in space whose ends are one corner goes round nothing.
+  if (is_point && corner(border.to) == before) return;
   for (std::size_t k = 1; k <= count; ++k) {
     const std::size_t here = border.reversed ? count - k : k;  // of the polyline
     const Vec2 uv = k == count ? corner(border.to)

@@ -85,6 +85,20 @@ TEST(ShapeFacets, OfASquareAreTwoTriangles) {
   for (const Vec3& n : facets.faces[0].normals) EXPECT_EQ(n, (Vec3{0, 0, 1}));
 }
 
+// What repairs put into gaps of wires: its ends are one corner, as the vertex is wider than it.
+TEST(ShapeFacets, DoNotFollowAPointOfASurfaceOutAndBack) {
+  ShapeModel model = square();
+  model.edges.push_back({{}, 1, 1, true});
+  ModelFace& face = model.faces[0];
+  face.chart.corners.push_back(face.chart.corners[1]);
+  face.chart.borders[1].from = 4;
+  face.chart.borders.push_back(line({1, 0}, {1, 1e-6}, 1, 4));
+  face.edges.push_back(4);
+  const ShapeFacets facets = shape_facets(model, {.deviation = 0.1});
+  EXPECT_EQ(facets.faces[0].obstacle, "");
+  EXPECT_EQ(facets.faces[0].triangles.size(), 2u);
+}
+
 TEST(ShapeFacets, HaveSidesOfAboutTheWantedLength) {
   const ShapeFacets facets = shape_facets(square(), {.deviation = 0.1, .edge_length = 0.1});
   EXPECT_GE(facets.faces[0].triangles.size(), 200u);
