@@ -33,10 +33,6 @@ double squared_distance(const Box& a, const Box& b) {
   return sum;
 }
 
-double squared_distance(const Box& box, const Vec3& point) {
-  return squared_distance(box, Box{point, point});
-}
-
 // The boxes in the order of the leaves, and their centres, doubled, by axis.
 struct BoxTree::Building {
   const std::vector<Box>& boxes;

@@ -54,7 +54,7 @@ struct LineProbe {
 
 /// Where the lower end of a squared distance lies between two boxes; 0 if they meet.
 double squared_distance(const Box& a, const Box& b);
-double squared_distance(const Box& box, const Vec3& point);
+inline double squared_distance(const Box& box, const Vec3& point);
 
 class BoxTree {
  public:
@@ -118,6 +118,15 @@ inline Box joined(const Box& a, const Box& b) {
     both.high[k] = a.high[k] < b.high[k] ? b.high[k] : a.high[k];
   }
   return both;
+}
+
+inline double squared_distance(const Box& box, const Vec3& point) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double gap = std::max({0.0, box.low[k] - point[k], point[k] - box.high[k]});
+    sum += gap * gap;
+  }
+  return sum;
 }
 
 inline double LineProbe::entry(const Box& box) const {

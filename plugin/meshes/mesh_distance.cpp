@@ -14,20 +14,32 @@ namespace blossom::meshes {
 namespace {
 
 // Of the size of both: how near a mesh is to its model at first, and by how much it gets nearer
-// until the bounds are as near as a part of the distance.
+// until the bounds are as near as a part of the distance. No nearer than they ask for where the
+// distance is known from below.
 constexpr double kFirstDeviation = 1e-3;
 constexpr double kFiner = 0.2;
 constexpr double kGoodPart = 0.1;
+constexpr double kNearPart =
+    0.4;  // of what bounds may differ by, beside what the search leaves open
 constexpr int kRounds = 4;
-constexpr double kSearchPart = 0.05;   // of the deviation: what the search of meshes leaves open
+constexpr double kSearchPart = 0.2;  // of the deviation: what the search of meshes leaves open
+// Of the distance that is asked about: with models so near to their meshes a part that is as near
+// as half of it is told at once.
+constexpr double kAskedPart = 0.2;
 constexpr double kAnyDeviation = 1e6;  // model units: triangles for the size alone
 
 // Both sets may be off their meshes by what these are off.
 FarthestOfMesh farthest(const MeshSource& from, const MeshSource& to, double accuracy,
-                        const std::function<bool()>& ask) {
-  const FarthestPoint found = farthest_point(from.mesh().points, from.mesh().triangles,
-                                             to.mesh().points, to.mesh().triangles, accuracy, ask);
+                        std::optional<double> within, const std::function<bool()>& ask) {
   const double off = from.distance() + to.distance();
+  WantedBounds wanted{.accuracy = accuracy};
+  if (within) {
+    // Where meshes are too far from what they stand for to tell that it is, they may tell that not.
+    wanted.enough = off < *within ? *within - off : *within + off;
+    wanted.too_far = *within + off;
+  }
+  const FarthestPoint found = farthest_point(from.mesh().points, from.mesh().triangles,
+                                             to.mesh().points, to.mesh().triangles, wanted, ask);
   return {std::max(0.0, found.lower - off), found.upper + off, found.point};
 }
 
@@ -87,11 +99,11 @@ MeshDistance distance_of(MeshSource& a, MeshSource& b, double tolerance,
   found.b = b.name();
   found.within = within;
   double deviation = kFirstDeviation * std::max(a.size(), b.size());
-  for (int round = 0; round < kRounds; ++round, deviation *= kFiner) {
+  for (int round = 0; round < kRounds; ++round) {
     if (!a.refine(deviation, ask) || !b.refine(deviation, ask)) break;
     const double accuracy = std::max(tolerance, kSearchPart * deviation);
-    const FarthestOfMesh forth = farthest(a, b, accuracy, ask),
-                         back = farthest(b, a, accuracy, ask);
+    const FarthestOfMesh forth = farthest(a, b, accuracy, within, ask),
+                         back = farthest(b, a, accuracy, within, ask);
     if (round > 0 && !ask()) break;
     found.a_to_b = forth;
     found.b_to_a = back;
@@ -100,6 +112,10 @@ MeshDistance distance_of(MeshSource& a, MeshSource& b, double tolerance,
                : apart <= std::max(tolerance, kGoodPart * found.upper()))
       break;
     if (!a.is_model() && !b.is_model() && accuracy <= tolerance) break;
+    deviation =
+        round == 0 && within && *within > 0
+            ? std::min(kFiner * deviation, kAskedPart * *within)
+            : std::max(kFiner * deviation, within ? 0 : kNearPart * kGoodPart * found.lower());
   }
   if (within && !found.is_within()) found.status = Status::Tolerance;
   if (!ask()) found.status = Status::Stopped;

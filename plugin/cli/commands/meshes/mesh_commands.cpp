@@ -67,12 +67,18 @@ DeepCheck deep_answer(const FileMesh& mesh, const meshes::JudgedMesh& found, dou
 std::string distance_text(const meshes::MeshDistance& found) {
   std::ostringstream text;
   text.precision(6);
+  // No more is done than tells whether they are within: only one of the bounds means much then.
+  const std::optional<bool> is_within = found.is_within();
   const auto between = [&](double lower, double upper) {
-    text << "between " << lower << " and " << upper;
+    if (!is_within)
+      text << "between " << lower << " and " << upper;
+    else if (*is_within)
+      text << "at most " << upper;
+    else
+      text << "at least " << lower;
   };
   const auto answer = [&]() -> std::string {
     if (!found.within) return "";
-    const std::optional<bool> is_within = found.is_within();
     return std::string(!is_within   ? "perhaps"
                        : *is_within ? "yes, they are"
                                     : "no, they are not") +
