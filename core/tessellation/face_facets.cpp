@@ -30,7 +30,7 @@ constexpr double kSagitta = 2.5;
 constexpr double kShortFold = 0.5;
 // In facets: so long may borders be, where these have an aspect. Halves are not too short then.
 constexpr double kLongBorder = 1.5;
-// Of a side: corners that are nearer to its middle make a flat facet.
+// Of a side: corners that are nearer to its middle, or to a border, make a flat facet.
 constexpr double kFlat = 0.05;
 // Of the distance of a facet: sides that are farther than this are worth dividing.
 constexpr double kLongSide = 0.4;
@@ -77,7 +77,9 @@ class FacetBuilder {
     }
     take_corners(mesh);
     add_rows(mesh);
+    divides_borders_ = !last;
     refine(mesh, faces_inside(mesh));
+    if (!far_borders_.empty()) return {std::move(far_borders_), {}};
     if (!parted_.empty()) part_sides(mesh);
     FaceAttempt made{last ? std::vector<EdgeSegment>{} : folding_sides(mesh), {}};
     if (made.splits.empty()) made.facets = collected(mesh);
@@ -358,6 +360,7 @@ class FacetBuilder {
       const double far = distance_of(face.corner);
       far_[index(number)] = far;
       if (far <= surface_.allowed() || is_small(face.corner) || is_flat(face.corner)) continue;
+      if (divides_borders_ && note_flat_over_border(face)) continue;
       const Vec2 uv = dividing_point(mesh, face, far);
       // Rounding may put it a little beside the face.
       const int found = mesh.locate(scaled(uv));
@@ -370,6 +373,36 @@ class FacetBuilder {
       if (mesh.faces()[index(number)].corner == face.corner) open.push_back(number);
       mesh.for_each_face_at(made, [&](int changed) { open.push_back(changed); });
     }
+  }
+
+  // A facet that is too far and flat over a border is as far as that along its own normal, which is
+  // not the one that `too_far` took: points inside would come ever nearer to the border, for
+  // nothing.
+  bool note_flat_over_border(const Face& face) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!face.fixed[k] || !is_flat_over(face, k)) continue;
+      const int from = face.corner[(k + 1) % 3], to = face.corner[(k + 2) % 3];
+      const std::optional<EdgeSegment> segment = segment_of(from, to);
+      if (!segment || is_small({from, to, to})) continue;
+      far_borders_.push_back(*segment);
+      return true;
+    }
+    return false;
+  }
+
+  // Whether a corner is about on the side opposite to it.
+  bool is_flat_over(const Face& face, std::size_t k) const {
+    const Vec2 from = scaled(uv_of(face, k + 1)), side = scaled(uv_of(face, k + 2)) - from;
+    return std::abs(cross(side, scaled(uv_of(face, k)) - from)) < kFlat * dot(side, side);
+  }
+
+  // Of the edge along which the region's border goes from one corner to another.
+  std::optional<EdgeSegment> segment_of(int from, int to) {
+    if (segments_.empty())
+      for (const PolygonSide& side : polygon_.sides) segments_[{side.from, side.to}] = side.segment;
+    const auto found = segments_.find({from, to});
+    if (found == segments_.end() || found->second.edge < 0) return {};
+    return found->second;
   }
 
   // Corners that are one point in space make no facet.
@@ -397,19 +430,17 @@ class FacetBuilder {
   // Borders whose chords are behind the other corner of a facet, though it is in front of them in
   // the parameters; those round its corners if it has none itself. Halving a chord brings it nearer
   // to the border by a factor of 4.
-  std::vector<EdgeSegment> folding_sides(const ConstrainedDelaunay& mesh) const {
-    std::map<std::pair<int, int>, EdgeSegment> segments;
-    for (const PolygonSide& side : polygon_.sides) segments[{side.from, side.to}] = side.segment;
+  std::vector<EdgeSegment> folding_sides(const ConstrainedDelaunay& mesh) {
     std::vector<EdgeSegment> splits;
     const auto take_sides = [&](const Face& face) {
       for (std::size_t k = 0; k < 3; ++k) {
         const int from = face.corner[k], to = face.corner[(k + 1) % 3];
         if (!face.fixed[(k + 2) % 3] || !face.inside) continue;
-        const auto found = segments.find({from, to});
-        if (found == segments.end() || found->second.edge < 0) continue;
+        const std::optional<EdgeSegment> segment = segment_of(from, to);
+        if (!segment) continue;
         if (distance(corners_[index(from)].point, corners_[index(to)].point) >
             kShortFold * options_.deviation)
-          splits.push_back(found->second);
+          splits.push_back(*segment);
       }
     };
     for (const Face& face : mesh.faces()) {
@@ -462,7 +493,10 @@ class FacetBuilder {
   std::vector<FaceCorner> corners_;
   std::vector<double> moved_;  // of each corner: from the surface
   std::vector<double> far_;    // of each face inside, since it was refined last
-  std::vector<int> poles_;     // of each corner: the parameter along the pole it is at, or -1
+  std::map<std::pair<int, int>, EdgeSegment> segments_;  // of sides, once they are asked for
+  std::vector<EdgeSegment> far_borders_;
+  bool divides_borders_ = false;  // or it is the last round
+  std::vector<int> poles_;        // of each corner: the parameter along the pole it is at, or -1
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
+#include "tests/support/random.h"
 
 namespace blossom {
 namespace {
@@ -271,6 +272,55 @@ TEST(ShapeFacets, OfALipAreNotFolded) {
   EXPECT_TRUE(facets.faces[0].obstacle.empty()) << facets.faces[0].obstacle;
   EXPECT_EQ(facets.faces[0].folded, 0);
   EXPECT_LE(facets.faces[0].triangles.size(), 12u);
+}
+
+// The whole of a patch of degree 3 over a square of side 1, with heights drawn at random.
+ShapeModel hilly(int seed) {
+  auto random = testing::seeded(seed);
+  constexpr int kDegree = 3;
+  RationalBezierPatch patch{Grid<Vec4>(kDegree + 1, kDegree + 1)};
+  for (int i = 0; i <= kDegree; ++i)
+    for (int j = 0; j <= kDegree; ++j)
+      patch.points(i, j) = {i / 3.0, j / 3.0, testing::uniform(random, -2, 2), 1};
+  const auto row = [&](bool along_u, int at) {
+    BezierCurve curve;
+    for (int k = 0; k <= kDegree; ++k)
+      curve.points.push_back(projected(along_u ? patch.points(k, at) : patch.points(at, k)));
+    return curve_spans(curve);
+  };
+  BezierSurface surface;
+  surface.patches = Grid<RationalBezierPatch>(1, 1);
+  surface.patches(0, 0) = patch;
+  surface.u_knots = surface.v_knots = {0, 1};
+  ShapeModel model;
+  for (const auto& [i, j] : {std::pair{0, 0}, {3, 0}, {3, 3}, {0, 3}})
+    model.vertices.push_back(projected(patch.points(i, j)));
+  model.edges = {
+      {row(true, 0), 0, 1}, {row(false, 3), 1, 2}, {row(true, 3), 3, 2}, {row(false, 0), 0, 3}};
+  ModelFace face;
+  face.surface = surface;
+  face.chart.corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  face.chart.borders = {line({0, 0}, {1, 0}, 0, 1), line({1, 0}, {1, 1}, 1, 2),
+                        line({0, 1}, {1, 1}, 2, 3, true), line({0, 0}, {0, 1}, 3, 0, true)};
+  face.edges = {0, 1, 2, 3};
+  model.faces.push_back(face);
+  return model;
+}
+
+// What a border is too far for, points inside cannot mend: they would come ever nearer to it.
+TEST(ShapeFacets, HaveNoPointsInsideThatCrowdAtABorder) {
+  for (int seed = 1; seed <= 20; ++seed)
+    for (const double deviation : {0.1, 0.01}) {
+      const ShapeFacets facets = shape_facets(hilly(seed), {.deviation = deviation, .angle = 0});
+      const MeshedFace& face = facets.faces[0];
+      EXPECT_EQ(face.obstacle, "");
+      EXPECT_LE(facets.distance, deviation);
+      double nearest = 1;
+      for (const Vec2& uv : face.uv)
+        for (const double off : {uv[0], uv[1], 1 - uv[0], 1 - uv[1]})
+          if (off > 0) nearest = std::min(nearest, off);
+      EXPECT_GT(nearest, 1e-3) << "seed " << seed << ", deviation " << deviation;
+    }
 }
 
 TEST(ShapeFacets, EndWithinAFaceWhenTold) {
