@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include <pybind11/stl.h>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -37,12 +38,12 @@ py::array triangles_array(const std::vector<std::array<int, 3>>& triangles) {
 py::dict mesh_records(const meshes::ShapeMesh& made, const std::vector<int>& numbers) {
   std::vector<std::int32_t> faces;
   for (const int place : made.face_of) faces.push_back(numbers[static_cast<std::size_t>(place)]);
-  py::list names;
+  py::list groups;
   for (const meshes::MeshGroup& group : made.mesh.groups)
-    names.append(py::make_tuple(group.name, group.first));
+    groups.append(py::make_tuple(group.name, group.first, group.colour));
   return py::dict("vertices"_a = points_array(std::span<const Vec3>(made.mesh.points)),
                   "triangles"_a = triangles_array(made.mesh.triangles),
-                  "faces"_a = numbers_array(faces), "groups"_a = names);
+                  "faces"_a = numbers_array(faces), "groups"_a = groups);
 }
 
 meshes::ShapeMesh meshed(const std::string& name, const TopoDS_Shape& shape,

@@ -330,9 +330,9 @@ def from_mesh(source: Any, triangles: Any = None, **options: Any) -> Triangles:
         corners = _rows(np.array(facets).reshape(-1, 3), "source", np.int32)
         return Triangles(_core.mesh_of_arrays(label, vertices, corners, []))
     if hasattr(source, "names") and hasattr(source, "vertices"):  # an answer of `mesh`
-        groups: List[Any] = [(name, first, None) for name, first in source._groups()]
+        corners = np.array(source.triangles)
         return Triangles(
-            _core.mesh_of_arrays(label, np.array(source.vertices), np.array(source.triangles), groups)
+            _core.mesh_of_arrays(label, np.array(source.vertices), corners, source._groups())
         )
     if hasattr(source, "vertices") and hasattr(source, "faces"):
         return from_mesh(source.vertices, source.faces, **options)

@@ -47,6 +47,18 @@ class Meshes(unittest.TestCase):
         self.assertEqual(list(DRILL.face(2).mesh(0.1)), [2])
         self.assertFalse(DRILL.face(2).mesh(0.1).closed)
 
+    def test_colours_are_kept_as_by_the_model_itself(self):
+        made = DRILL.mesh(0.1)
+        with tempfile.TemporaryDirectory() as folder:
+            ours, theirs = Path(folder) / "ours.ply", Path(folder) / "theirs.ply"
+            made.write(ours)
+            blossom.write(DRILL, theirs, deviation=0.1)
+            kept, told = (blossom.from_mesh(file).colours for file in (ours, theirs))
+
+        self.assertEqual(len(told), 3)
+        self.assertEqual(kept, told)
+        self.assertEqual({made.names[face]: colour for face, colour in made.colours.items()}, told)
+
     def test_the_report_is_that_of_the_command_line(self):
         with tempfile.TemporaryDirectory() as folder:
             target = Path(folder) / "drill.obj"
