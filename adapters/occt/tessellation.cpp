@@ -33,7 +33,11 @@ ShapeTessellation tessellation(const TopoDS_Shape& shape, const FacetOptions& op
 
 std::vector<std::array<int, 3>> triangles_of(const ShapeTessellation& tessellation,
                                              std::vector<int>* face) {
+  std::size_t count = 0;
+  for (const MeshedFace& meshed : tessellation.facets.faces) count += meshed.triangles.size();
   std::vector<std::array<int, 3>> result;
+  result.reserve(count);
+  if (face) face->reserve(count);
   for (std::size_t f = 0; f < tessellation.facets.faces.size(); ++f) {
     const MeshedFace& meshed = tessellation.facets.faces[f];
     for (const std::array<int, 3>& triangle : meshed.triangles) {

@@ -458,6 +458,8 @@ class FacetBuilder {
   FaceFacets collected(const ConstrainedDelaunay& mesh) {
     FaceFacets result;
     std::vector<int> places(corners_.size(), -1);
+    result.corners.reserve(corners_.size());
+    result.triangles.reserve(mesh.faces().size());
     for (std::size_t number = 0; number < mesh.faces().size(); ++number) {
       const Face& face = mesh.faces()[number];
       if (!face.inside || is_flat(face.corner)) continue;

@@ -164,8 +164,10 @@ class Mesher {
     return {changed.begin(), changed.end()};
   }
 
-  ShapeFacets numbered() const {
+  // What is numbered goes: the points of all faces would be there twice.
+  ShapeFacets numbered() {
     ShapeFacets result;
+    result.points.reserve(point_count());
     result.points = model_.vertices;
     std::vector<int> first_inner(polylines_.size(), 0);  // of each edge
     for (std::size_t k = 0; k < polylines_.size(); ++k) {
@@ -179,19 +181,31 @@ class Mesher {
                                   distance(points.back(), result.points[index(edge.to)]));
       result.distance = std::max(result.distance, polylines_[k].distance() + off);
     }
-    for (const FaceAttempt& made : attempts_)
-      result.faces.push_back(numbered(made.facets, first_inner, result));
+    result.faces.reserve(attempts_.size());
+    for (FaceAttempt& made : attempts_)
+      result.faces.push_back(numbered(std::exchange(made, {}).facets, first_inner, result));
     return result;
   }
 
-  MeshedFace numbered(const FaceFacets& facets, const std::vector<int>& first_inner,
+  std::size_t point_count() const {
+    std::size_t count = model_.vertices.size();
+    for (const EdgePolyline& line : polylines_) count += line.points().size();
+    for (const FaceAttempt& made : attempts_)
+      for (const FaceCorner& corner : made.facets.corners) count += corner.origin.edge < 0;
+    return count;
+  }
+
+  MeshedFace numbered(FaceFacets facets, const std::vector<int>& first_inner,
                       ShapeFacets& all) const {
     MeshedFace face;
-    face.triangles = facets.triangles;
+    face.triangles = std::move(facets.triangles);
     face.distance = facets.distance;
     face.moved = facets.moved;
     face.folded = facets.folded;
-    face.obstacle = facets.obstacle;
+    face.obstacle = std::move(facets.obstacle);
+    face.vertices.reserve(facets.corners.size());
+    face.uv.reserve(facets.corners.size());
+    face.normals.reserve(facets.corners.size());
     for (const FaceCorner& corner : facets.corners) {
       int vertex = static_cast<int>(all.points.size());
       if (corner.origin.edge < 0)

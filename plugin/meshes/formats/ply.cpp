@@ -66,6 +66,12 @@ class PlyWriter {
 std::string ply_content(const FileMesh& mesh, bool text) {
   const bool coloured = has_colours(mesh);
   std::string bytes = header_of(mesh, text, coloured);
+  if (!text) {
+    const std::size_t triangle = 1 + 3 * sizeof(std::int32_t) + 3 * coloured +
+                                 (mesh.groups.empty() ? 0 : sizeof(std::int32_t));
+    bytes.reserve(bytes.size() + 3 * sizeof(double) * mesh.points.size() +
+                  triangle * mesh.triangles.size());
+  }
   PlyWriter writer(bytes, text);
   for (const Vec3& point : mesh.points) {
     for (const double x : point.coordinates) writer.add(x);

@@ -117,6 +117,7 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
     occt::put_on_faces(made.made, input.model.shape());
     write_model(input.model, common.output);
   } else {
+    made.made = {};  // the triangles once more, with parameters and normals
     const meshes::WrittenMesh written =
         meshes::write_mesh_file(made.mesh, common.output, conversion.text, stop_if_interrupted);
     answer.rounding = written.rounding;
