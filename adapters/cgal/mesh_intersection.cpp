@@ -23,7 +23,7 @@ using Exact = CGAL::Exact_rational;
 using ExactVec = std::array<Exact, 3>;
 using Triangle = std::array<int, 3>;
 
-constexpr int kAskEvery = 1 << 12;  // pairs, or triangles
+constexpr std::size_t kAskEvery = 1 << 12;  // pairs, or triangles
 
 Kernel::Point_3 kernel_point(const Vec3& p) { return {p[0], p[1], p[2]}; }
 ExactVec exact(const Vec3& p) { return {Exact(p[0]), Exact(p[1]), Exact(p[2])}; }
@@ -138,7 +138,7 @@ class Meeting {
 
   MeshMeeting found(const BoxTree& tree_a, const BoxTree& tree_b) {
     MeshMeeting made;
-    int asked = 0;
+    std::size_t asked = 0;
     tree_a.for_each_meeting(tree_b, [&](int i, int j) {
       if (ask_ && ++asked % kAskEvery == 0) ask_();
       add_pair(i, j, made);
