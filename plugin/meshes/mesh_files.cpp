@@ -13,6 +13,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/shapes.h"
 #include "plugin/meshes/formats/mesh_formats.h"
+#include "plugin/meshes/formats/text_words.h"
 
 namespace blossom::meshes {
 namespace {
@@ -49,6 +50,13 @@ std::string three_mf(const FileMesh&, const std::string& name) {
   throw occt::BadModel(name + ".3mf: for this format lib3mf was not built in");
 }
 #endif
+
+std::vector<std::string> lost_of(const FileMesh& mesh, const std::string& ending, bool single) {
+  std::vector<std::string> lost;
+  if (single && !mesh.groups.empty()) lost.push_back("names");
+  if ((ending == ".stl" || ending == ".obj") && has_colours(mesh)) lost.push_back("colours");
+  return lost;
+}
 
 double rounding_of(const std::vector<Vec3>& points) {
   double most = 0;
@@ -108,7 +116,7 @@ WrittenMesh write_mesh_file(const FileMesh& mesh, const fs::path& file, bool tex
                    : single           ? stl_bytes(mesh)
                                       : stl_text(mesh),
                    file, stop);
-  return {single ? rounding_of(mesh.points) : 0};
+  return {single ? rounding_of(mesh.points) : 0, lost_of(mesh, ending, single)};
 }
 
 FileMesh read_mesh_file(const fs::path& file) {

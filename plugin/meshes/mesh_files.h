@@ -47,6 +47,7 @@ bool is_glb_file(const std::filesystem::path& file);
 struct WrittenMesh {
   double rounding = 0;  ///< how far single precision moves points, model units; binary .stl and
                         ///< .3mf have it
+  std::vector<std::string> lost{};  ///< of "names" and "colours" of groups, what has no place there
 };
 
 /// Binary where the format has that (.stl, .ply), unless `text`; whole or not at all. All but

@@ -66,6 +66,7 @@ Json mesh_report(const std::string& file, const std::string& output, const MeshA
           {"triangles", answer.triangles},
           {"distance", answer.distance},
           {"rounding", answer.rounding},
+          {"lost", answer.lost},
           {"edges_off_faces", answer.moved},
           {"closed",
            answer.edges.open.empty() && answer.edges.crowded.empty() && answer.refused.empty()},
@@ -91,6 +92,8 @@ std::string mesh_notes(const MeshAnswer& answer) {
   if (!answer.edges.crowded.empty())
     text << "  it is no manifold at " << counted(answer.edges.crowded.size(), "edge")
          << " of more than two faces:" << named(answer.edges.crowded, number) << "\n";
+  if (std::ranges::find(answer.lost, "colours") != answer.lost.end())
+    text << "  the file has no place for the model's colours\n";
   const std::size_t crossing = answer.crossings.value_or(0);
   if (crossing > answer.between_parts)
     text << "  " << counted(crossing - answer.between_parts, "pair")

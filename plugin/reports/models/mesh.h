@@ -30,7 +30,8 @@ struct MeshAnswer {
   std::size_t points = 0, triangles = 0;
   double distance = 0;  ///< proven, rounding to single precision included
   double rounding = 0;
-  double moved = 0;  ///< how far edges are off their faces, at most
+  std::vector<std::string> lost;  ///< what the file has no place for
+  double moved = 0;               ///< how far edges are off their faces, at most
   int folded = 0;
   BorderEdges edges;
   std::vector<std::pair<int, std::string>> refused;  ///< faces and why

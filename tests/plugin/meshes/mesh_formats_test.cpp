@@ -6,12 +6,16 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace blossom::meshes {
 namespace {
@@ -90,6 +94,23 @@ TEST(MeshFormats, KeepGroupsWithoutColours) {
   mesh.groups[0].name = "floor_plate";  // names are words there
   EXPECT_EQ(read_obj(obj_text(mesh)).groups, mesh.groups);
   EXPECT_EQ(read_stl(stl_text(mesh)).groups, mesh.groups);
+}
+
+TEST(MeshFormats, TellWhatOfGroupsHasNoPlace) {
+  using Words = std::vector<std::string>;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const auto lost = [&](const char* ending, bool text) {
+    const std::filesystem::path file =
+        folder / ("blossom_lost_" + std::to_string(::getpid()) + ending);
+    const Words told = write_mesh_file(grouped(), file, text, {}).lost;
+    std::filesystem::remove(file);
+    return told;
+  };
+  EXPECT_EQ(lost(".ply", false), Words{});
+  EXPECT_EQ(lost(".off", false), Words{});
+  EXPECT_EQ(lost(".obj", false), Words{"colours"});
+  EXPECT_EQ(lost(".stl", true), Words{"colours"});
+  EXPECT_EQ(lost(".stl", false), (Words{"names", "colours"}));
 }
 
 // ---- what other programs write

@@ -121,6 +121,7 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
     const meshes::WrittenMesh written =
         meshes::write_mesh_file(made.mesh, common.output, conversion.text, stop_if_interrupted);
     answer.rounding = written.rounding;
+    answer.lost = written.lost;
     answer.distance += written.rounding;
   }
   if (!common.json.empty()) {

@@ -103,6 +103,7 @@ int write_triangles(const std::string& input, const meshes::FileMesh& mesh,
                 {"points", mesh.points.size()},
                 {"groups", mesh.groups.size()},
                 {"rounding", written.rounding},
+                {"lost", written.lost},
                 {"notes", mesh.notes}},
                common.json);
   std::ostringstream text;
@@ -110,6 +111,7 @@ int write_triangles(const std::string& input, const meshes::FileMesh& mesh,
        << ", " << counted(mesh.points.size(), "point");
   if (!mesh.groups.empty()) text << ", " << counted(mesh.groups.size(), "group");
   if (written.rounding > 0) text << ", points moved by " << written.rounding << " at most";
+  for (const std::string& what : written.lost) text << ", without " << what;
   text << "\n";
   print_summary(text.str() + meshes::notes_text(mesh), common.json);
   return kExitComplete;
