@@ -30,6 +30,7 @@
 #include "adapters/occt/blending/sheet/kept_edges.h"
 #include "adapters/occt/blending/strips/ball_walk.h"
 #include "adapters/occt/blending/strips/end_curves.h"
+#include "adapters/occt/blending/strips/face_contacts.h"
 #include "adapters/occt/blending/strips/notches.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/splitting/edges/edge_splits.h"

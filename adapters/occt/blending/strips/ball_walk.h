@@ -16,7 +16,7 @@
 
 #include "adapters/occt/blending/body_edges.h"
 #include "adapters/occt/blending/edge_chain.h"
-#include "adapters/occt/blending/strips/end_curves.h"
+#include "adapters/occt/blending/strips/face_contacts.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/fillet.h"
 #include "core/base/tolerances.h"

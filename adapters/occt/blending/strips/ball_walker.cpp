@@ -13,6 +13,7 @@
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/limits.h"
+#include "adapters/occt/blending/strips/end_curves.h"
 
 namespace blossom::occt {
 namespace {

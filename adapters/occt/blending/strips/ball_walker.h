@@ -14,7 +14,7 @@
 #include "adapters/occt/blending/edge_chain.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/strips/ball_walk.h"
-#include "adapters/occt/blending/strips/end_curves.h"
+#include "adapters/occt/blending/strips/face_contacts.h"
 #include "adapters/occt/blending/strips/notches.h"
 #include "adapters/occt/blending/strips/run_profiles.h"
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -31,7 +29,6 @@
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "core/curve_surface_intersection.h"
-#include "core/plane/planar_crossings.h"
 #include "core/subdivision/extended_surface.h"
 #include "core/surface_intersection.h"
 
@@ -40,7 +37,6 @@ namespace {
 
 constexpr int kFootSamples = 5;   // a side, of the strip's part whose feet bound what is searched
 constexpr double kTurnAt = 1e-3;  // of an edge: so far from its end the turn of its faces is taken
-constexpr double kRunEnd = 1e-9;  // of a run: meetings so near to its ends are those
 // Of a span, or of the way across a strip: how far surfaces go on past their borders.
 constexpr double kBeyondBorder = 0.125;
 // Of a face's length, of planes and cylinders, which nothing limits. A choice: a strip's end goes
@@ -54,48 +50,6 @@ constexpr double kFootRoom = 0.25;  // of the feet's box: how far beyond it is s
 // Pairs of cells. One curve between two known places takes some thousands; surfaces that touch
 // along each other take all there are, and have no curve to be found.
 constexpr long kMaxPairs = 100'000;
-
-// A contact in the scaled parameters of a face, and whole periods beside, wherever it may meet
-// edges of the face.
-std::vector<PlanarCurve> contact_copies(const BodyEdges& body, const RolledStrip& strip,
-                                        std::size_t side, int face) {
-  const FaceTrims& trims = body.trims(face);
-  const PlanarCurve contact =
-      transformed(planar_curve(strip.contacts[side].chart, strip.range), trims.scale, {});
-  std::vector<PlanarCurve> all;
-  for (const Vec2& shift : period_shifts(trims, contact)) {
-    if (norm(shift) > 0 && trims.period[0] == 0 && trims.period[1] == 0) continue;
-    all.push_back(transformed(contact, {1, 1}, shift));
-  }
-  return all;
-}
-
-// Common points but those where the curves run along each other: there neither goes over the other.
-std::vector<PlanarCrossing> apart_from_runs(const PlanarCrossings& found) {
-  std::vector<PlanarCrossing> points;
-  std::ranges::copy_if(found.points, std::back_inserter(points), [&](const PlanarCrossing& each) {
-    return std::ranges::none_of(found.overlaps, [&](const PlanarOverlap& run) {
-      const double room = kRunEnd * length(run.a);
-      return each.a >= run.a.from - room && each.a <= run.a.to + room;
-    });
-  });
-  return points;
-}
-
-// runs   where a contact runs along the edge, added
-std::vector<PlanarCrossing> meetings(const std::vector<PlanarCurve>& contacts,
-                                     const EdgeUseInFace& use,
-                                     std::vector<Interval>* runs = nullptr) {
-  const double tolerance = std::max(Precision::Confusion(), use.coedge->tolerance);
-  std::vector<PlanarCrossing> all;
-  for (const PlanarCurve& contact : contacts) {
-    const PlanarCrossings found = crossings(contact, use.coedge->curve, tolerance);
-    if (runs != nullptr)
-      for (const PlanarOverlap& run : found.overlaps) runs->push_back(run.a);
-    std::ranges::copy(apart_from_runs(found), std::back_inserter(all));
-  }
-  return all;
-}
 
 Interval widened(const Interval& of, double room) { return {of.from - room, of.to + room}; }
 
@@ -213,127 +167,6 @@ Handle(Geom2d_Curve)
 }
 
 }  // namespace
-
-std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledStrip& strip,
-                                           std::size_t side, const EdgeUseInFace& use,
-                                           double near) {
-  std::optional<ContactMeeting> best;
-  for (const PlanarCrossing& each : meetings(contact_copies(body, strip, side, use.face), use))
-    if (!best || std::abs(each.a - near) < std::abs(best->t - near))
-      best = ContactMeeting{each.a, each.b};
-  return best;
-}
-
-namespace {
-
-// How a contact and an edge cross in the chart of their face: the cross product of both rates.
-double crossing_rate(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
-                     const EdgeUseInFace& use, const PlanarCrossing& at) {
-  gp_Pnt2d point;
-  gp_Vec2d rate;
-  strip.contacts[side].chart->D1(at.a, point, rate);
-  const Vec2 scale = body.trims(use.face).scale;
-  const Vec2 edge = jet_at(use.coedge->curve, at.b).first;
-  return cross(Vec2{rate.X() * scale[0], rate.Y() * scale[1]}, edge);
-}
-
-}  // namespace
-
-namespace {
-
-// Whether any of the places of a contact's point in a chart, whole periods apart, is as wanted.
-bool any_place(const FaceTrims& trims, const RolledContact& contact, double t,
-               const std::function<bool(const Vec2&)>& is_wanted) {
-  const gp_Pnt2d uv = contact.chart->Value(t);
-  const Vec2 point{uv.X() * trims.scale[0], uv.Y() * trims.scale[1]};
-  return std::ranges::any_of(period_shifts(trims, planar_line(point, point, {0, 1})),
-                             [&](const Vec2& shift) { return is_wanted(point + shift); });
-}
-
-}  // namespace
-
-bool lies_inside(const BodyEdges& body, const RolledContact& contact, double t) {
-  const FaceTrims& trims = body.trims(contact.face);
-  return any_place(trims, contact, t, [&](const Vec2& at) { return is_inside(trims, at); });
-}
-
-bool lies_on(const BodyEdges& body, const RolledContact& contact, double t) {
-  const auto is_on_border = [&](const Vec2& at) {
-    return std::ranges::any_of(body.uses(contact.face), [&](const EdgeUseInFace& use) {
-      return nearest(use.coedge->curve, at).distance <=
-             std::max(Precision::Confusion(), use.coedge->tolerance);
-    });
-  };
-  return lies_inside(body, contact, t) ||
-         any_place(body.trims(contact.face), contact, t, is_on_border);
-}
-
-namespace {
-
-// Runs along edges that follow each other are one.
-std::vector<Interval> joined(std::vector<Interval> runs, double room) {
-  std::ranges::sort(runs, {}, &Interval::from);
-  std::vector<Interval> made;
-  for (const Interval& run : runs)
-    if (!made.empty() && run.from <= made.back().to + room)
-      made.back().to = std::max(made.back().to, run.to);
-    else
-      made.push_back(run);
-  return made;
-}
-
-// Where a contact runs along the border of its face it goes over none, and at the ends of such a
-// run it does so only where it leaves the face on the other side of it, or comes into it. A seam
-// that ends in the border it goes over all the same.
-void keep_ways_out(const BodyEdges& body, const RolledStrip& strip, const RolledContact& contact,
-                   const Interval& run, std::vector<ContactCrossing>& all) {
-  const auto room = [&](const ContactCrossing& each) {
-    const double speed = contact.curve->DN(each.t, 1).Magnitude();
-    return kSamePlace * std::max(Precision::Confusion(), each.use->coedge->tolerance) / speed;
-  };
-  Interval before{strip.range.from, run.from}, after{run.to, strip.range.to};
-  for (const ContactCrossing& each : all) {
-    if (each.t < run.from - room(each)) before.from = each.t;
-    if (each.t > run.to + room(each)) after.to = std::min(after.to, each.t);
-  }
-  const auto is_outside = [&](const Interval& beside) {
-    return length(beside) > 0 && !lies_inside(body, contact, at(beside, 0.5));
-  };
-  const bool comes = is_outside(before), leaves = is_outside(after);
-  std::erase_if(all, [&](const ContactCrossing& each) {
-    const double near = room(each);
-    if (body.behind(*each.use).face == each.use->face) return false;
-    if (each.t < run.from - near || each.t > run.to + near) return false;
-    return !(comes && each.t <= run.from + near) && !(leaves && each.t >= run.to - near);
-  });
-}
-
-}  // namespace
-
-std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
-                                               std::size_t side, const std::set<int>& left_out) {
-  std::vector<ContactCrossing> all;
-  std::vector<Interval> runs;
-  const std::vector<PlanarCurve> contacts =
-      contact_copies(body, strip, side, strip.contacts[side].face);
-  for (const EdgeUseInFace& use : body.uses(strip.contacts[side].face)) {
-    if (use.coedge->degenerated || left_out.count(use.edge) > 0) continue;
-    if (use.edge == strip.bend[side]) continue;  // the contact runs along it
-    // The face lies to the left of the first contact of a strip and to the right of the second,
-    // seen from outside.
-    const bool reversed = body.face(use.face).Orientation() == TopAbs_REVERSED;
-    for (const PlanarCrossing& each : meetings(contacts, use, &runs)) {
-      const bool to_left = crossing_rate(body, strip, side, use, each) > 0;
-      all.push_back({each.a, &use, each.b, ((side == 0) != reversed) == to_left,
-                     to_left != use.coedge->reversed});
-    }
-  }
-  std::sort(all.begin(), all.end(),
-            [](const ContactCrossing& a, const ContactCrossing& b) { return a.t < b.t; });
-  for (const Interval& run : joined(std::move(runs), kRunEnd * length(strip.range)))
-    keep_ways_out(body, strip, strip.contacts[side], run, all);
-  return all;
-}
 
 // With x along the edge and y across it, the faces at its end turn against each other by a x, so
 // that offsets of theirs are a x y apart, to within e, the tolerance. Where that is 0 may be
@@ -523,26 +356,6 @@ std::optional<EndCurve> wall_curve_between(const TopoDS_Face& wall, const TopoDS
   }
   return best_curve(face_surface(points, face), face, face_surface(points, wall), wall, from, to,
                     reach);
-}
-
-std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const RolledStrip& a,
-                                                    std::size_t side_a, double near_a,
-                                                    const RolledStrip& b, std::size_t side_b,
-                                                    double near_b) {
-  const Vec2 scale = body.trims(a.contacts[side_a].face).scale;
-  const auto chart = [&](const RolledStrip& of, std::size_t side) {
-    return transformed(planar_curve(of.contacts[side].chart, of.range), scale, {});
-  };
-  std::optional<std::array<double, 2>> best;
-  double least = 0;
-  for (const PlanarCrossing& each :
-       apart_from_runs(crossings(chart(a, side_a), chart(b, side_b), Precision::Confusion()))) {
-    const double away = std::abs(each.a - near_a) + std::abs(each.b - near_b);
-    if (best && away >= least) continue;
-    best = {each.a, each.b};
-    least = away;
-  }
-  return best;
 }
 
 }  // namespace blossom::occt

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where strips and their contacts meet the faces and edges at their ends.
+// Where strips, and contacts in space, meet the faces, edges and strips at their ends.
 
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include <Geom2d_Curve.hxx>
@@ -18,39 +16,6 @@
 #include "core/math/vec.h"
 
 namespace blossom::occt {
-
-/// A contact's meeting with an edge of its face.
-struct ContactMeeting {
-  double t = 0;  ///< of the strip
-  double edge_parameter = 0;
-};
-
-/// The meeting of a contact with an edge of its face that is nearest to `near`, by t.
-///
-/// side   of the strip: 0 or 1
-/// use    of the edge, in the contact's face
-std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledStrip& strip,
-                                           std::size_t side, const EdgeUseInFace& use, double near);
-
-/// Whether a contact at a parameter lies inside of its face.
-bool lies_inside(const BodyEdges& body, const RolledContact& contact, double t);
-
-/// Whether it lies there, or on the border.
-bool lies_on(const BodyEdges& body, const RolledContact& contact, double t);
-
-/// Where a contact goes over an edge of its face.
-struct ContactCrossing {
-  double t = 0;  ///< of the strip
-  const EdgeUseInFace* use = nullptr;
-  double edge_parameter = 0;
-  bool keep_after = true;  ///< what stays of the edge lies beyond the parameter
-  bool leaves = true;      ///< the face, as t grows
-};
-
-/// All crossings of a contact with the edges of its face but those left out, by t. Where it runs
-/// along the border it goes over none, unless it leaves the face at an end of that.
-std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
-                                               std::size_t side, const std::set<int>& left_out);
 
 /// Where a strip narrows to a point in a vertex.
 struct NarrowEnd {
@@ -108,13 +73,6 @@ std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& 
 /// Where a contact goes through another strip: its t nearest to `near`.
 std::optional<double> contact_through(const RolledStrip& of, std::size_t side, double near,
                                       const RolledStrip& other, const Interval& other_part);
-
-/// Where the contacts of two strips cross on the face that they have in common: t of both, nearest
-/// to given ones.
-std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const RolledStrip& a,
-                                                    std::size_t side_a, double near_a,
-                                                    const RolledStrip& b, std::size_t side_b,
-                                                    double near_b);
 
 /// Where a contact goes through the surface of a face: its t nearest to `near`.
 ///

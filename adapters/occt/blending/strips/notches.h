@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "adapters/occt/blending/body_edges.h"
-#include "adapters/occt/blending/strips/end_curves.h"
+#include "adapters/occt/blending/strips/face_contacts.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 
 namespace blossom::occt {

@@ -26,7 +26,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/blending/strips/end_curves.h"
+#include "adapters/occt/blending/strips/face_contacts.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/faces/surface_projector.h"
