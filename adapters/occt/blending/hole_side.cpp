@@ -172,10 +172,15 @@ HoleSide hole_side(const HoleEdge& edge, FillContinuity continuity, const FitTol
         if (std::optional<FillSide> side = exact_side(*line, surface, continuity))
           return HoleSide{std::move(*side), true, 0, 0};
     }
-    HoleSide result = fitted_side(edge, tolerance);
-    result.side.continuity = continuity;
-    return result;
+    return fitted_hole_side(edge, continuity, tolerance);
   });
+}
+
+HoleSide fitted_hole_side(const HoleEdge& edge, FillContinuity continuity,
+                          const FitTolerance& tolerance) {
+  HoleSide result = fitted_side(edge, tolerance);
+  result.side.continuity = continuity;
+  return result;
 }
 
 }  // namespace blossom::occt

@@ -27,6 +27,10 @@ struct HoleSide {
 ///          enough, or a continuity other than G0 is asked for without a face
 HoleSide hole_side(const HoleEdge& edge, FillContinuity continuity, const FitTolerance& tolerance);
 
+/// The same by a fit in any case; the surface of the face may be without bounds.
+HoleSide fitted_hole_side(const HoleEdge& edge, FillContinuity continuity,
+                          const FitTolerance& tolerance);
+
 /// Highest degree of fits: the fill's own degree is at most four higher at G2.
 inline constexpr int kMaxFitDegree = 9;
 

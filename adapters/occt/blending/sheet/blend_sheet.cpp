@@ -61,6 +61,11 @@ void BlendSheet::add(const BallWalk& walk) {
     filleted_.insert(each.edge);
     border_.filleted.push_back(each.edge);
   }
+  for (const PassedEdge& each : walk.passed) {
+    filleted_.insert(each.edge);
+    border_.filleted.push_back(each.edge);
+    passed_.emplace(each.edge, each.why);
+  }
   const auto low_if = [](bool low) { return low ? std::size_t{0} : std::size_t{1}; };
   for (std::size_t i = 0; i < walk.joints.size(); ++i) {
     const std::size_t next = (i + 1) % count;
@@ -87,6 +92,10 @@ void BlendSheet::add(const BallWalk& walk) {
 }
 
 PlacedStrip& BlendSheet::strip_of(const DirectedEdge& half) {
+  return strips_[ends_at_.at({half.edge, half.at_start}).strip];
+}
+
+const PlacedStrip& BlendSheet::strip_of(const DirectedEdge& half) const {
   return strips_[ends_at_.at({half.edge, half.at_start}).strip];
 }
 
@@ -179,11 +188,13 @@ bool BlendSheet::is_set_back(const Ring& ring) {
 }
 
 void BlendSheet::end_at(const DirectedEdge& half) {
-  Ring ring = body_.round(half);
+  std::vector<int> passed;
+  Ring ring = ring_at(half, passed);
   std::vector<std::size_t> filleted;
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (is_filleted(ring[i].half.edge)) filleted.push_back(i);
   for (const std::size_t i : filleted) done_.push_back(ring[i].half);
+  if (!passed.empty()) return pass(ring, passed);
   if (filleted.size() == 1 && end_in_point(ring)) return;
   if (filleted.size() == 1) return blunt_unless({half}, [&] { cap(ring); });
   if (filleted.size() == 2) {

@@ -106,6 +106,7 @@ class BlendSheet {
   };
 
   PlacedStrip& strip_of(const DirectedEdge& half);
+  const PlacedStrip& strip_of(const DirectedEdge& half) const;
   StripEnd& end_of(const DirectedEdge& half);
   bool is_low_end(const DirectedEdge& half) const;
   double end_t(const DirectedEdge& half);
@@ -114,6 +115,12 @@ class BlendSheet {
   std::size_t right_side(const DirectedEdge& half) const { return is_low_end(half) ? 1 : 0; }
 
   void end_at(const DirectedEdge& half);
+  Ring ring_at(const DirectedEdge& half, std::vector<int>& passed) const;
+  void end_beside_passed(const Ring& ring, std::size_t sector, bool on_left,
+                         std::map<std::size_t, double>& cuts);
+  void end_at_passed(const Ring& ring);
+  bool keeps_side(const Ring& ring, std::size_t first_patch) const;
+  void pass(const Ring& ring, const std::vector<int>& passed);
   void or_else(const std::vector<DirectedEdge>& halves, const std::function<void()>& ended,
                const std::function<bool(const std::string& why)>& other);
   bool is_set_back(const Ring& ring);
@@ -252,6 +259,7 @@ class BlendSheet {
   std::map<std::pair<int, bool>, EndPlace> ends_at_;  // by half-edge
   std::vector<DirectedEdge> open_;
   std::set<int> filleted_;
+  std::map<int, FilletRefusal> passed_;  // by edge, which are among the former
   SheetBorder border_;
   std::map<int, std::vector<TopoDS_Edge>> added_;  // by face
   std::vector<BlendPatch> patches_;

@@ -113,7 +113,8 @@ bool BlendSheet::flat_corner(const Ring& ring, const std::vector<TopoDS_Vertex>&
   return true;
 }
 
-// From the right to the left, as seen by who walks away from the vertex.
+// From the right to the left, as seen by who walks away from the vertex: smoothly, but for
+// chamfers.
 BlendSheet::SetbackSide BlendSheet::slanted_side(const DirectedEdge& half) {
   const RolledStrip& strip = strip_of(half).strip;
   const StripEnd& end = end_of(half);
@@ -132,8 +133,18 @@ BlendSheet::SetbackSide BlendSheet::slanted_side(const DirectedEdge& half) {
   builder.MakeEdge(edge);
   builder.UpdateEdge(edge, made.chart, strip.bare_face(), Precision::Confusion());
   builder.Range(edge, 0, 1);
-  made.side =
-      hole_side({half.edge, edge, {}, false}, FillContinuity::G0, {.point = tolerance_}).side;
+  const auto side_of = [&](const TopoDS_Face& face, FillContinuity continuity) {
+    return fitted_hole_side({half.edge, edge, face, false}, continuity, {.point = tolerance_}).side;
+  };
+  if (is_chamfer_) {
+    made.side = side_of({}, FillContinuity::G0);
+    return made;
+  }
+  // The strip lies to the right of the way, seen from outside.
+  edge.Orientation(TopAbs_REVERSED);
+  const TopoDS_Shape face =
+      strip.bare_face().Oriented(strip.outward ? TopAbs_FORWARD : TopAbs_REVERSED);
+  made.side = side_of(TopoDS::Face(face), FillContinuity::G1);
   return made;
 }
 

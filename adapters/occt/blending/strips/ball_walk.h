@@ -38,11 +38,19 @@ struct WalkJoint {
   std::array<std::optional<ContactCrossing>, 2> over;
 };
 
+/// An edge of a run beside which there is no ball of that radius, but beside those before and
+/// behind it: the run is cut there.
+struct PassedEdge {
+  int edge = 0;
+  FilletRefusal why;
+};
+
 struct BallWalk {
   EdgeRun run;
   std::vector<WalkedStrip> strips;
   /// Between each strip and the next; of a closed walk between the last and the first, too.
   std::vector<WalkJoint> joints;
+  std::vector<PassedEdge> passed{};  ///< between this one and others of the run, or its own ends
 };
 
 /// What a walk has to know.
@@ -57,7 +65,8 @@ struct WalkOptions {
 
 /// One walk along all edges of the run. Where the ball would come to a sharp edge beside a vertex
 /// of the run, as at faces that go on smoothly in the vertex alone, the run is cut: two walks end
-/// there, and their strips run into each other.
+/// there, and their strips run into each other. It is also cut at edges that are too tight for the
+/// ball, as the rounding of a corner that has a smaller radius: these are passed.
 /// throws   FilletRefused if there is no ball beside the edges, or it leaves them on the way
 std::vector<BallWalk> ball_walks(const BodyEdges& body, const EdgeRun& run,
                                  const WalkOptions& options);

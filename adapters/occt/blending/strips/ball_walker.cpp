@@ -79,6 +79,13 @@ bool BallWalker::is_shared(int step) const {
   });
 }
 
+// Whether the run ends where the ball passes edges: the strip stops before, whatever it goes over.
+bool BallWalker::is_passed(int step) const {
+  return std::ranges::any_of(body_.round(end_half(step)), [&](const VertexSector& each) {
+    return passed_.count(each.half.edge) > 0;
+  });
+}
+
 // More of a strip past one of its ends, if there is.
 bool BallWalker::grow(WalkedStrip& of, bool at_start) const {
   const Interval range = of.strip.range, most = of.strip.most;
@@ -159,6 +166,7 @@ WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double f
   const bool goes_on_alike = of.of_edge && next && faces_of(*next) == faces_of(place);
   const bool ends_shared = of.of_edge && !next && is_shared(step);
   const double edge_end = ahead > 0 ? of.strip.edge_range.to : of.strip.edge_range.from;
+  if (of.of_edge && !next && is_passed(step)) return {edge_end, {}, true};
   bool may_grow_past = true;
   for (;;) {
     std::array<std::optional<ContactCrossing>, 2> first;
@@ -264,15 +272,32 @@ bool BallWalker::reaches(WalkedStrip& next, const WalkedStrip& of, double end, d
   return least <= reach;
 }
 
-// The place after which the run goes over a vertex of an edge, ahead of a place.
-std::optional<std::size_t> BallWalker::joint_at(int edge, std::size_t place, int step) const {
+// Where the run goes over a vertex of an edge, ahead of a place.
+std::optional<RunCut> BallWalker::joint_at(int edge, std::size_t place, int step) const {
   const auto next = next_place(place, step);
   if (edge == 0 || !next || !profiles_.everywhere() || run_.edges.size() < 2) return std::nullopt;
   const RunEdge& last = run_.edges[place];
   const TopoDS_Vertex joint = body_.vertex({last.edge, last.forward != (step > 0)});
   for (const bool at_start : {true, false})
-    if (body_.vertex({edge, at_start}).IsSame(joint)) return step > 0 ? place : *next;
+    if (body_.vertex({edge, at_start}).IsSame(joint))
+      return step > 0 ? RunCut{place, *next} : RunCut{*next, place};
   return std::nullopt;
+}
+
+// Where the ball cannot go on along the next edge of a run, nor along those behind it beside which
+// there is none, but along a later one.
+//
+// why   it cannot
+std::optional<RunCut> BallWalker::passing(std::size_t place, int step, const FilletRefusal& why) {
+  if (why.fault != FilletFault::Pinch && why.fault != FilletFault::NoBall) return std::nullopt;
+  std::vector<PassedEdge> passed;
+  auto next = next_place(place, step);
+  while (next && *next != place && (passed.empty() || !strip_if_any(*next))) {
+    passed.push_back({run_.edges[*next].edge, why});
+    next = next_place(*next, step);
+  }
+  if (!next || *next == place) return std::nullopt;
+  return step > 0 ? RunCut{place, *next, passed} : RunCut{*next, place, passed};
 }
 
 // A walk that stops before the end of its run has left the edges, but where it stops at an edge
@@ -375,6 +400,20 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
   refuse(FilletFault::Corner, place, "the ball does not go on over an edge beside it", centre);
 }
 
+// The same, or nothing where the run is cut as the ball passes the next edges.
+std::optional<std::pair<WalkedStrip, double>> BallWalker::following_or_cut(const WalkedStrip& of,
+                                                                           const WalkExit& exit,
+                                                                           std::size_t& place,
+                                                                           int step) {
+  try {
+    return following(of, exit, place, step);
+  } catch (const FilletRefused& refusal) {
+    cut_ = passing(place, step, refusal.why());
+    if (!cut_) throw;
+    return std::nullopt;
+  }
+}
+
 // All strips that follow, and how they are joined; a closed run ends with the strip it started
 // from.
 BallWalker::Part BallWalker::way(WalkedStrip& from, std::size_t place, int step) {
@@ -393,11 +432,12 @@ BallWalker::Part BallWalker::way(WalkedStrip& from, std::size_t place, int step)
       if (!cut_) check_end(*of, place, step, found);
       return part;
     }
-    auto [next, begin] = following(*of, found, place, step);
+    auto next = following_or_cut(*of, found, place, step);
+    if (!next) return part;
     for (const std::size_t side : {0U, 1U})
       entered[side] = found.over[side] ? found.over[side]->use->edge : held_by(*of)[side];
-    t = next.inside = begin;
-    part.emplace_back(WalkJoint{found.t, begin, found.over}, std::move(next));
+    t = next->first.inside = next->second;
+    part.emplace_back(WalkJoint{found.t, t, found.over}, std::move(next->first));
     of = &part.back().second;
     if (run_.closed && (behind_ ? came_back_ : of->of_edge && place == first)) return part;
   }

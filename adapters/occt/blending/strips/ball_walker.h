@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,22 +43,32 @@ struct WalkExit {
   std::array<int, 2> held{};                             // edges on which the ball leans behind it
 };
 
+/// Between which places of the run a walk has to be cut: at a sharp edge that begins in the vertex
+/// between two that follow each other, which the ball cannot go over, or at edges in between that
+/// it passes.
+struct RunCut {
+  std::size_t after = 0, before = 0;
+  std::vector<PassedEdge> passed{};
+};
+
 class BallWalker {
  public:
   using Strips = std::vector<std::optional<WalkedStrip>>;  // by place in the run
 
-  /// known   strips beside edges of the run that are made already
-  BallWalker(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options, Strips known)
+  /// known    strips beside edges of the run that are made already
+  /// passed   edges between this run and others, or its own ends
+  BallWalker(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options, Strips known,
+             const std::set<int>& passed)
       : body_(body),
         run_(run),
         options_(options),
+        passed_(passed),
         profiles_(body, run, options.fillet),
         made_(std::move(known)) {}
 
   BallWalk walk();
-  /// The place of the run after whose edge it has to be cut, for a walk that came to no end: there
-  /// a sharp edge begins in its vertex, which the ball cannot go over.
-  const std::optional<std::size_t>& cut() const { return cut_; }
+  /// Where the run has to be cut, for a walk that came to no end.
+  const std::optional<RunCut>& cut() const { return cut_; }
   /// As far as they were made, and grew, on the way.
   const Strips& strips() const { return made_; }
 
@@ -113,8 +124,12 @@ class BallWalker {
   double reach_at(const WalkedStrip& of, const WalkExit& exit) const;
   std::pair<WalkedStrip, double> following(const WalkedStrip& of, const WalkExit& exit,
                                            std::size_t& place, int step);
+  std::optional<std::pair<WalkedStrip, double>> following_or_cut(const WalkedStrip& of,
+                                                                 const WalkExit& exit,
+                                                                 std::size_t& place, int step);
   BallWalk round(WalkedStrip strip) const;
-  std::optional<std::size_t> joint_at(int edge, std::size_t place, int step) const;
+  std::optional<RunCut> joint_at(int edge, std::size_t place, int step) const;
+  std::optional<RunCut> passing(std::size_t place, int step, const FilletRefusal& why);
   void check_end(const WalkedStrip& of, std::size_t place, int step, const WalkExit& end) const;
   struct Course {
     std::size_t place = 0;  // of the nearest edge
@@ -125,6 +140,7 @@ class BallWalker {
   void check_course(const WalkedStrip& of, int step, const Interval& way) const;
   DirectedEdge end_half(int step) const { return step > 0 ? run_.last() : run_.first(); }
   bool is_shared(int step) const;
+  bool is_passed(int step) const;
   [[noreturn]] void refuse(FilletFault fault, std::size_t place, const std::string& cause,
                            const Vec3& centre) const {
     throw FilletRefused({fault, run_.edges[place].edge, cause, std::nullopt, centre, {}});
@@ -134,11 +150,12 @@ class BallWalker {
   const BodyEdges& body_;
   const EdgeRun& run_;
   const WalkOptions& options_;
+  const std::set<int>& passed_;
   RunProfiles profiles_;
   Strips made_;
   std::optional<WalkedStrip> behind_;  // where it starts, if beside no edge of the run
   bool came_back_ = false;             // to there
-  std::optional<std::size_t> cut_;
+  std::optional<RunCut> cut_;
 };
 
 }  // namespace blossom::occt

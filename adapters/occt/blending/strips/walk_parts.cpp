@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Runs whose balls come to a sharp edge on the way: walks along their parts.
+// Runs whose balls come to a sharp edge on the way, or to edges that are too tight for them: walks
+// along their parts.
 #include "adapters/occt/blending/strips/ball_walk.h"
 
 #include <cstddef>
+#include <set>
 #include <utility>
 
 #include "adapters/occt/blending/strips/ball_walker.h"
@@ -16,42 +18,38 @@ struct KnownRun {
   BallWalker::Strips strips;
 };
 
-// From one place of a run to before another one. Of a run that was closed, strips that come back to
-// their beginning are not known to parts.
+// From one place of a run to another, round a closed one. Of a run that was closed, strips that
+// come back to their beginning are not known to parts.
 KnownRun part_of_run(const KnownRun& whole, std::size_t from, std::size_t to) {
   KnownRun part;
   part.run.concave = whole.run.concave;
-  for (std::size_t i = from; i < to; ++i) {
+  const std::size_t count = whole.run.edges.size();
+  for (std::size_t i = from;; i = (i + 1) % count) {
     part.run.edges.push_back(whole.run.edges[i]);
     part.strips.push_back(whole.strips[i]);
     if (part.strips.back() && part.strips.back()->strip.closed) part.strips.back().reset();
+    if (i == to) return part;
   }
-  return part;
 }
 
 // The parts of a run before and after a cut; of a closed run the one that is left.
-std::vector<KnownRun> parts_of(const KnownRun& whole, std::size_t cut) {
-  std::vector<KnownRun> parts;
-  parts.push_back(part_of_run(whole, 0, cut + 1));
-  parts.push_back(part_of_run(whole, cut + 1, whole.run.edges.size()));
-  if (!whole.run.closed) return parts;
-  KnownRun &before = parts[0], &after = parts[1];
-  for (std::size_t i = 0; i <= cut; ++i) {
-    after.run.edges.push_back(before.run.edges[i]);
-    after.strips.push_back(before.strips[i]);
-  }
-  parts.erase(parts.begin());
-  return parts;
+std::vector<KnownRun> parts_of(const KnownRun& whole, const RunCut& cut) {
+  if (whole.run.closed) return {part_of_run(whole, cut.before, cut.after)};
+  return {part_of_run(whole, 0, cut.after),
+          part_of_run(whole, cut.before, whole.run.edges.size() - 1)};
 }
 
 std::vector<BallWalk> walks_along(const BodyEdges& body, const KnownRun& of,
-                                  const WalkOptions& options) {
-  BallWalker walker(body, of.run, options, of.strips);
+                                  const WalkOptions& options, std::set<int>& passed) {
+  BallWalker walker(body, of.run, options, of.strips, passed);
   BallWalk whole = walker.walk();
   if (!walker.cut()) return {std::move(whole)};
+  for (const PassedEdge& each : walker.cut()->passed) passed.insert(each.edge);
   std::vector<BallWalk> all;
   for (const KnownRun& part : parts_of({of.run, walker.strips()}, *walker.cut()))
-    for (BallWalk& each : walks_along(body, part, options)) all.push_back(std::move(each));
+    for (BallWalk& each : walks_along(body, part, options, passed)) all.push_back(std::move(each));
+  const std::vector<PassedEdge>& here = walker.cut()->passed;
+  all.front().passed.insert(all.front().passed.end(), here.begin(), here.end());
   return all;
 }
 
@@ -59,7 +57,8 @@ std::vector<BallWalk> walks_along(const BodyEdges& body, const KnownRun& of,
 
 std::vector<BallWalk> ball_walks(const BodyEdges& body, const EdgeRun& run,
                                  const WalkOptions& options) {
-  return walks_along(body, {run, BallWalker::Strips(run.edges.size())}, options);
+  std::set<int> passed;
+  return walks_along(body, {run, BallWalker::Strips(run.edges.size())}, options, passed);
 }
 
 }  // namespace blossom::occt

@@ -141,17 +141,6 @@ TEST(LargestFillet, OfEdgesFarFromEachOtherIsThatOfTheTighterOne) {
   }
 }
 
-// Round the top of a block one of whose upright edges is an arc of radius 3: with that radius the
-// ball turns on the spot.
-TEST(LargestFillet, RoundAnArcIsTheRadiusOfTheArc) {
-  const TopoDS_Shape block = BRepPrimAPI_MakeBox(20, 20, 10).Shape();
-  const FilletResult made = fillet(block, {edge_with_middle(block, {20, 20, 5})}, {.radius = 3});
-  ASSERT_EQ(made.solids.size(), 1U);
-  const TopoDS_Shape shape = made.solids.front().solid;
-  for (const double radius : {3.01, 4.0, 5.0})
-    expect_told(shape, {edge_with_middle(shape, {20, 8.5, 10})}, radius, 3, kExact);
-}
-
 TEST(LargestFillet, IsNotLookedForWhereItIsNotWanted) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
   const FilletResult made = fillet(box, {1}, {.radius = 11, .largest = false});
