@@ -100,6 +100,7 @@ BallSupport edge_support(const BezierSurface& ruled) {
 const char* to_string(TrackEnd end) {
   switch (end) {
     case TrackEnd::Closed: return "closed";
+    case TrackEnd::Cut: return "cut";
     case TrackEnd::Border: return "border";
     case TrackEnd::Guide: return "guide";
     case TrackEnd::Lost: return "lost";
@@ -185,6 +186,31 @@ BallPoint BallTrack::at(double parameter, bool after) const {
   Vec4 rate = system_->rate(*jets, p).value_or(near.first);
   if (!system_->is_driven()) rate *= dot(plane.row, near.first) / dot(plane.row, rate);
   return system_->ball(x, rate, *jets, p);
+}
+
+// What lies before the cut comes last, whole turns and the length of the loop further on.
+BallTrack BallTrack::cut_open(double parameter) const {
+  const auto nearest = std::ranges::min_element(
+      nodes_, {}, [&](const Node& node) { return std::abs(node.parameter - parameter); });
+  const std::size_t count = cells_.size();
+  const auto first = static_cast<std::size_t>(nearest - nodes_.begin()) % count;
+  const Vec4 way = nodes_.back().chart - nodes_.front().chart;
+  const double start = nodes_[first].parameter, whole = length(domain());
+  std::vector<Node> nodes;
+  std::vector<std::array<ChartCell, 2>> cells;
+  for (std::size_t i = first; i <= first + count; ++i) {
+    const bool turned = i >= count;
+    nodes.push_back(nodes_[turned ? i - count : i]);
+    nodes.back().is_break = nodes.back().is_break || i == count;  // on a seam, perhaps
+    nodes.back().parameter += (turned ? whole : 0) - start;
+    if (turned) nodes.back().chart += way;
+    if (i == first + count) break;
+    cells.push_back(cells_[turned ? i - count : i]);
+    for (int k = 0; turned && k < 4; ++k)
+      cells.back()[static_cast<std::size_t>(k / 2)].shift[k % 2] += way[k];
+  }
+  return BallTrack(system_, std::move(nodes), std::move(cells), {TrackEnd::Cut, TrackEnd::Cut},
+                   {-1, -1});
 }
 
 double BallTrack::nearest(const Vec3& centre) const {

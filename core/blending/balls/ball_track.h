@@ -103,6 +103,7 @@ struct BallPoint {
 /// Why a track ends.
 enum class TrackEnd {
   Closed,  ///< it does not: it is a loop
+  Cut,     ///< it is a loop that was cut open there
   Border,  ///< a contact is on the border of its support's part
   Guide,   ///< the guide's range is over
   Lost,    ///< the two conditions stop being independent: the surfaces touch, say
@@ -158,6 +159,10 @@ class BallTrack {
 
   /// The parameter of the ball whose centre is nearest to a point, found from the nearest node.
   double nearest(const Vec3& centre) const;
+
+  /// A loop as a track that begins and ends in that one of its nodes which is nearest to a
+  /// parameter.
+  BallTrack cut_open(double parameter) const;
 
  private:
   std::size_t interval_at(double parameter, bool after) const;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -18,6 +19,8 @@
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -509,6 +512,24 @@ TEST(FilletOfChangingRadius, IsRefusedRoundClosedEdges) {
   EXPECT_TRUE(made.solids.empty());
   ASSERT_FALSE(made.refused.empty());
   EXPECT_EQ(made.refused.front().fault, FilletFault::Edge);
+}
+
+// The ball rolls all round a knob on a ring, and comes back without a turn about either axis; a cut
+// leaves an open part of that edge.
+TEST(FilletOfALoop, ThatIsCutOpenGoesRoundNeitherSurface) {
+  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(10, 3).Shape();
+  const TopoDS_Shape knob = BRepPrimAPI_MakeSphere(gp_Pnt(13, 0, 0), 2.5).Shape();
+  const TopoDS_Shape whole = BRepAlgoAPI_Fuse(ring, knob).Shape();
+  const TopoDS_Shape rest = BRepPrimAPI_MakeBox(gp_Pnt(0, 0.7, -5), 30, 30, 10).Shape();
+  const TopoDS_Shape shape = BRepAlgoAPI_Cut(whole, rest).Shape();
+  std::vector<int> loop;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == EdgeKind::Concave) loop.push_back(each.number);
+  ASSERT_FALSE(loop.empty());
+  const FilletResult made = fillet(shape, loop, {.radius = 0.4});
+  testing::expect_sound(made);
+  ASSERT_FALSE(HasFailure());
+  EXPECT_GT(made.solids.front().volume, made.volume_before);
 }
 
 }  // namespace

@@ -38,13 +38,19 @@ std::array<int, 2> BallWalker::faces_of(std::size_t place) const {
   return {body_.use(edge.edge, edge.forward).face, body_.use(edge.edge, !edge.forward).face};
 }
 
+// Whether the run goes round between two faces.
+bool BallWalker::is_loop() const {
+  for (std::size_t i = 1; i < run_.edges.size(); ++i)
+    if (faces_of(i) != faces_of(0)) return false;
+  return run_.closed;
+}
+
 const WalkedStrip& BallWalker::strip_at(std::size_t place) {
   if (made_[place]) return *made_[place];
   options_.tick();
   const RunEdge& edge = run_.edges[place];
   RolledStrip strip = profiles_.strip(body_, place);
-  if (!run_.closed && strip.closed && strip.opened)
-    if (auto open = strip.opened()) strip = *std::move(open);
+  if (!is_loop() && strip.closed && strip.opened) strip = strip.opened();
   const double middle = at(strip.edge_range, 0.5);
   made_[place] = WalkedStrip{std::move(strip), edge.forward, middle};
   return *made_[place];

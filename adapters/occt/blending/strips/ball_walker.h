@@ -76,6 +76,7 @@ class BallWalker {
   using Part = std::vector<std::pair<WalkJoint, WalkedStrip>>;
 
   std::array<int, 2> faces_of(std::size_t place) const;
+  bool is_loop() const;
   const WalkedStrip& strip_at(std::size_t place);
   std::optional<WalkedStrip> strip_if_any(std::size_t place);
   std::size_t start();

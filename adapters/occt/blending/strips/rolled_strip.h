@@ -69,8 +69,8 @@ struct RolledStrip {
   /// The same strip over another range inside of `most`; none where the range is all there is.
   std::function<RolledStrip(const Interval&)> over{};
   Interval most{};
-  /// Of a closed strip along an edge that is not: what of it is beside the edge, if it can be had.
-  std::function<std::optional<RolledStrip>()> opened{};
+  /// Of a closed strip along an edge that is not: what of it is beside the edge.
+  std::function<RolledStrip()> opened{};
 
   Vec2 chart(double t, double w) const { return along_u ? Vec2{t, w} : Vec2{w, t}; }
   /// The chart curves of a contact, by t, and of a section, by w.

@@ -43,8 +43,7 @@ constexpr double kRollWidths = 2;
 constexpr double kMinShare = 0.5;
 // Of the way of a loop that is not beside the edge: what stays free of an open strip.
 constexpr double kLoopShare = 0.2;
-constexpr double kWholeTurn = 0.5;  // of a period: a contact that comes back has gone a whole turn
-constexpr int kSpineSamples = 4;    // between two knots of the strip
+constexpr int kSpineSamples = 4;  // between two knots of the strip
 
 Handle(Geom_BSplineSurface) surface_of(const BallStrip& strip) {
   const int rows = strip.poles.rows(), columns = strip.poles.columns();
@@ -132,6 +131,10 @@ void turn_round(RolledStrip& strip, double about) {
     *each = {about - each->to, about - each->from};
 }
 
+Interval common(const Interval& a, const Interval& b) {
+  return {std::max(a.from, b.from), std::min(a.to, b.to)};
+}
+
 // A ball on its way along two faces, of which any part becomes a strip.
 struct Tracing : std::enable_shared_from_this<Tracing> {
   Tracing(const BodyEdges& of, int edge_number, bool is_concave, const StripProfile& across)
@@ -151,6 +154,8 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
   mutable std::shared_ptr<StripMaker> strips;  // along it
   bool turned = false;                         // t = - the track's parameter
   Interval valid, edge_range;
+  std::optional<Interval> kept;         // of a loop that was cut open: what of it may be used
+  std::shared_ptr<const Tracing> loop;  // that one, which has the track's surfaces
 
   [[noreturn]] void refuse(FilletFault fault, const std::string& cause,
                            const std::optional<Vec3>& point) const {
@@ -213,7 +218,7 @@ void Tracing::find_valid(double parameter) {
   for (const BallStretch& stretch : spine.stretches) {
     if (parameter < stretch.range.from || parameter > stretch.range.to) continue;
     if (!stretch.valid) break;
-    valid = stretch.range;
+    valid = kept ? common(stretch.range, *kept) : stretch.range;
     return;
   }
   const BallPinch tightest = tightest_of(*track);
@@ -291,10 +296,6 @@ RolledStrip Tracing::strip(const Interval& wanted) const {
   return strip;
 }
 
-Interval common(const Interval& a, const Interval& b) {
-  return {std::max(a.from, b.from), std::min(a.to, b.to)};
-}
-
 // The strip beside the edge, with some room past its ends.
 RolledStrip Tracing::beside_edge(double beyond) {
   const double start = track->nearest(point_of(body.vertex({edge, true})));
@@ -324,33 +325,18 @@ Interval Tracing::way_apart() const {
   return {high, low + turn};
 }
 
-// A ball that rolls round and comes back, along an edge that does not: begun anew on what is left
-// of a closed surface when it is cut open where the ball is not beside the edge. Nothing if the
-// ball goes round neither surface.
-std::optional<RolledStrip> opened(const Tracing& round, double beyond) {
+// A ball that rolls round and comes back, along an edge that does not: the way of the ball is cut
+// where it is not beside the edge, and the strip ends before.
+RolledStrip opened(const Tracing& round, double beyond) {
   const auto of = std::make_shared<Tracing>(round);
-  const BallTrack& track = *round.track;
-  const Interval apart = of->way_apart(), domain = track.domain();
-  const auto chart_at = [&](std::size_t k, double t) {
-    return track.at(t > domain.to ? t - length(domain) : t).contacts[k].chart;
-  };
-  std::array<BallSupport, 2> supports{of->supports.of[0].whole(), of->supports.of[1].whole()};
-  for (std::size_t k = 0; k < 2; ++k)
-    for (const int d : {0, 1}) {
-      const double turn =
-          track.at(domain.to).contacts[k].chart[d] - track.at(domain.from).contacts[k].chart[d];
-      Interval& part = d == 0 ? supports[k].part.u : supports[k].part.v;
-      if (std::abs(turn) < kWholeTurn * length(part)) continue;
-      const double middle = chart_at(k, at(apart, 0.5))[d];
-      const double room = kLoopShare * std::abs(turn) * length(apart) / length(domain);
-      const double start = of->supports.of[k].start[d], period = length(part);
-      const double cut = middle - period * std::floor((middle - start) / period);
-      part = {cut - period + 0.5 * room, cut - 0.5 * room};
-      of->start(supports);
-      if (of->track->closed()) return std::nullopt;
-      return of->beside_edge(beyond);
-    }
-  return std::nullopt;
+  of->loop = round.shared_from_this();
+  const Interval apart = of->way_apart(), domain = round.track->domain();
+  const double far = at(apart, 0.5);
+  of->strips.reset();
+  of->track = round.track->cut_open(far > domain.to ? far - length(domain) : far);
+  const double room = 0.5 * kLoopShare * length(apart);
+  of->kept = {of->track->domain().from + room, of->track->domain().to - room};
+  return of->beside_edge(beyond);
 }
 
 }  // namespace
@@ -398,8 +384,7 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
   of->near_at = middle;
   const bool pinches = of->valid.from > track.domain().from || of->valid.to < track.domain().to;
   if (pinches) {
-    auto open = is_loop ? std::nullopt : opened(*of, beyond);
-    if (open) return *std::move(open);
+    if (!is_loop) return opened(*of, beyond);
     of->refuse(FilletFault::Pinch, "the ball is too large for the curvature of a face", {});
   }
   RolledStrip strip = of->strip(of->turned ? Interval{-of->valid.to, -of->valid.from} : of->valid);

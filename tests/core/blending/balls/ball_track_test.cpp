@@ -87,6 +87,32 @@ TEST(BallTrack, RoundACylinderOnAPlateIsACircleThatStartsAtTheSeam) {
   }
 }
 
+TEST(BallTrack, OfALoopThatIsCutOpenIsTheSameWayFromThere) {
+  const BezierSurface plate = plane_patch({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-5, 5}, {-5, 5});
+  const BezierSurface cylinder = whole_cylinder(1.5, 3);
+  const auto loop = track_through(whole_support(plate, 1), whole_support(cylinder, 1), 0.4,
+                                  {Vec2{0.3, 2}, Vec2{1.3, 0.5}});
+  ASSERT_TRUE(loop && loop->closed());
+  const double whole = length(loop->domain());
+  for (const double part : {0.0, 0.3, 0.99, 1.0}) {
+    const BallTrack open = loop->cut_open(part * whole);
+    EXPECT_EQ(open.ends()[0], TrackEnd::Cut);
+    EXPECT_FALSE(open.closed());
+    EXPECT_EQ(open.domain().from, 0);
+    EXPECT_NEAR(open.domain().to, whole, 1e-12);
+    const double start = loop->nearest(open.at(0).centre);
+    EXPECT_LT(std::abs(std::remainder(start - part * whole, whole)), 0.1 * whole);
+    for (int i = 0; i <= 20; ++i) {
+      const double t = whole * i / 20;
+      const BallPoint ball = open.at(t), same = loop->at(std::fmod(start + t, whole));
+      EXPECT_NEAR(distance(ball.centre, same.centre), 0, 1e-9) << part << " " << t;
+      if (i == 0) continue;
+      const double before = open.at(t - whole / 20).contacts[1].chart[0];
+      EXPECT_LT(std::abs(ball.contacts[1].chart[0] - before), 1);  // it goes on through the seam
+    }
+  }
+}
+
 TEST(BallTrack, TouchesFreeFormFacesToRounding) {
   const BezierSurface floor = floor_face(), wall = wall_face();
   for (const double r : {0.02, 0.05, 0.1, 0.2, 0.4}) {
