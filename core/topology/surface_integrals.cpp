@@ -317,34 +317,43 @@ Vec<double, 6> squares_of(const Vec3& s) {
   return {s[0] * s[0], s[1] * s[1], s[2] * s[2], s[0] * s[1], s[0] * s[2], s[1] * s[2]};
 }
 
+struct MovedSurface {
+  IntegrandSurface surface;
+  Vec3 origin;
+};
+
 // Normals are sums of differences of control points, with roundings of the coordinates. A surface
-// whose coordinates round to more than kValueRounding of it is moved to the origin by one of its
-// points; nothing for others.
-std::optional<IntegrandSurface> near_origin(const IntegrandSurface& surface) {
+// whose coordinates round to more than kValueRounding of it, or of its width, is moved to the
+// origin by one of its points; nothing for others.
+std::optional<MovedSurface> near_origin(const IntegrandSurface& surface) {
   if (surface.spans.patches.empty()) return std::nullopt;
-  const auto& points = surface.spans.patches(0, 0).points.values();
-  const Vec3 origin = projected(points.front());
-  const double size = distance(origin, projected(points.back()));
+  const Grid<Vec4>& points = surface.spans.patches(0, 0).points;
+  const Vec3 origin = projected(points(0, 0));
+  const double size = std::min(distance(origin, projected(points(points.rows() - 1, 0))),
+                               distance(origin, projected(points(0, points.columns() - 1))));
   if (max_norm(origin) * std::numeric_limits<double>::epsilon() <= kValueRounding * size)
     return std::nullopt;
-  IntegrandSurface moved = surface;
-  moved.spans = seen_from(origin, std::move(moved.spans));
+  MovedSurface moved{surface, origin};
+  moved.surface.spans = seen_from(origin, std::move(moved.surface.spans));
   return moved;
 }
 
 }  // namespace
 
 double trimmed_area(const IntegrandSurface& given, const FaceTrims& trims, int cells) {
-  const std::optional<IntegrandSurface> moved = near_origin(given);
-  const IntegrandSurface& surface = moved ? *moved : given;
+  const std::optional<MovedSurface> moved = near_origin(given);
+  const IntegrandSurface& surface = moved ? moved->surface : given;
   const Integrand<1> density = [](const Vec3&, const Vec3& normal) {
     return Sample<1>{{norm(normal)}, {}};
   };
   return integral_within(trims, Density(surface, trims, density, Runs::AlongLines), cells)[0];
 }
 
-double trimmed_cone_volume(const IntegrandSurface& surface, const FaceTrims& trims,
-                           const Vec3& apex, double enough) {
+double trimmed_cone_volume(const IntegrandSurface& given, const FaceTrims& trims,
+                           const Vec3& given_apex, double enough) {
+  const std::optional<MovedSurface> moved = near_origin(given);
+  const IntegrandSurface& surface = moved ? moved->surface : given;
+  const Vec3 apex = moved ? given_apex - moved->origin : given_apex;
   const Integrand<1> volume = [&](const Vec3& point, const Vec3& normal) {
     const double reach = norm(point) + norm(apex);
     return Sample<1>{{dot(point - apex, normal) / 3}, {reach * norm(normal) / 3}};

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -62,6 +63,28 @@ TEST(TrimmedArea, IsTheSameAlongKnownLinesAndWithoutThem) {
     EXPECT_NEAR(trimmed_cone_volume(exact(sphere, lines), trims, kFrame.origin), 2 * of_sphere / 3,
                 kNear * of_sphere);
   }
+}
+
+// A part of 1e-4 by 0.1 of a strip whose coordinates are rounded to 1e-11 of its width: noise of
+// normals must not ask for ever smaller cells.
+TEST(TrimmedConeVolume, OfASliverIsFoundAtOnce) {
+  constexpr int kDegree = 5;
+  BezierSurface surface{{0, 3.1736e-4}, {0, 1}};
+  surface.rational = true;
+  surface.patches = Grid<RationalBezierPatch>(1, 1);
+  Grid<Vec4>& points = surface.patches(0, 0).points;
+  points = Grid<Vec4>(kDegree + 1, 3);
+  for (int i = 0; i <= kDegree; ++i)
+    for (int j = 0; j < 3; ++j)
+      points(i, j) = Vec4{9.7463210113984733 - 7.93e-5 * i + 7.7e-5 * j,
+                          -8.878382604055334 - 0.049 * j - 9e-8 * (i + i * i),
+                          j == 2 ? 0.119337 + 7.8e-6 * i : 0, 1} *
+                     (j == 1 ? 0.63506821445238515 - 3.06e-5 * i : 1);
+  const auto start = std::chrono::steady_clock::now();
+  const double volume = trimmed_cone_volume(
+      exact(surface, DensityLines::Any), rectangle({1.269e-4, 1.9037e-4}, {0, 1}), {-12, -6.77, 0});
+  EXPECT_GT(std::abs(volume), 1e-9);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(100));
 }
 
 // Of a high degree with weights: normals at 1e7 are known no better than to 1e-7 there.
