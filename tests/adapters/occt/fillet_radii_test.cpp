@@ -13,12 +13,14 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <gp_Ax2.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/faces/area.h"
@@ -273,6 +275,25 @@ TEST(FilletRadii, AskForWhatMakesSense) {
   EXPECT_THROW(asked({{1, {NAN}}}), InvalidInput);
   EXPECT_THROW(fillet(box, {1}, {.own = {{1, {1}}}, .chamfer = ChamferSize{1, {}, {}}}),
                InvalidInput);
+}
+
+// A blind hole in the side of a rod, a little off its middle: beside it the wall is 3.7 thick on
+// one side. Balls of more than half of that come round behind the bottom of the hole, where strips
+// part nothing from the rest.
+TEST(FilletOfARimBesideAThinWall, IsRefusedForBallsThatDoNotGoThrough) {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(8.464, 40).Shape();
+  const gp_Ax2 axis(gp_Pnt(0, -0.13, 20), gp_Dir(1, 0, 0));
+  const TopoDS_Shape shape =
+      BRepAlgoAPI_Cut(rod, BRepPrimAPI_MakeCylinder(axis, 4.634, 20).Shape()).Shape();
+  int rim = 0;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == EdgeKind::Convex && each.length > 10 && each.middle[0] > 1) rim = each.number;
+  ASSERT_GT(rim, 0);
+  EXPECT_EQ(fillet(shape, {rim}, {.radius = 1.8, .largest = false}).solids.size(), 1U);
+  const FilletResult made = fillet(shape, {rim}, {.radius = 1.9, .largest = false});
+  EXPECT_TRUE(made.solids.empty());
+  ASSERT_FALSE(made.refused.empty());
+  EXPECT_NE(made.refused.front().cause.find("nothing would be left"), std::string::npos);
 }
 
 }  // namespace

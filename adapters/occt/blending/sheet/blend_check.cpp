@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,20 @@ TopTools_MapOfShape apart_from_changes(const FilletedSolid& made, const TopTools
   return apart;
 }
 
+// Whether no face is left of a solid, though some have none of the edges: blends consume the faces
+// beside them, as a ball does those of a cube, but what parts nothing from the rest takes all.
+bool takes_all(const BodyEdges& body, const TopoDS_Solid& before, const FilletedSolid& made,
+               const FilletEdges& edges) {
+  if (std::ranges::any_of(made.faces, [](const FilletFace& face) { return face.from > 0; }))
+    return false;
+  std::set<int> beside;
+  for (const auto& [edge, concave] : edges)
+    for (const bool forward : {true, false}) beside.insert(body.use(edge, forward).face);
+  TopTools_IndexedMapOfShape all;
+  TopExp::MapShapes(before, TopAbs_FACE, all);
+  return beside.size() < static_cast<std::size_t>(all.Extent());
+}
+
 }  // namespace
 
 void check_blended(const BodyEdges& body, const TopoDS_Solid& before, const FilletedSolid& made,
@@ -110,6 +125,9 @@ void check_blended(const BodyEdges& body, const TopoDS_Solid& before, const Fill
                          {},
                          {},
                          {}});
+  if (takes_all(body, before, made, edges))
+    throw FilletRefused(
+        {FilletFault::Result, first, "nothing would be left of the solid", {}, {}, {}});
   const bool any_concave = std::ranges::any_of(edges, [](const auto& e) { return e.second; });
   const bool any_convex = std::ranges::any_of(edges, [](const auto& e) { return !e.second; });
   if ((!any_concave && change >= 0) || (!any_convex && change <= 0))
