@@ -48,6 +48,9 @@ struct ReadingReport {
 /// How the step begins in which Open CASCADE reads what is no shape; see ReadOptions.
 inline constexpr const char* kReadingNames = "reading names and colours";
 
+/// Likewise of the step in which Open CASCADE makes faces of damaged entities.
+inline constexpr const char* kMakingDamaged = "making faces of damaged entities";
+
 /// How to read, and who wants to know how far it is.
 struct ReadOptions {
   /// Without them, a file whose names, colours or dimensions cannot be read gives its shapes. The
@@ -57,6 +60,11 @@ struct ReadOptions {
   /// Without them, colours, layers, dimensions and what else STEP has beside shapes and names may
   /// be left out: who only looks at shapes and their names has the answer sooner.
   bool looks = true;
+
+  /// Faces of damaged entities in STEP files, without a curve for an edge, say, are made of what is
+  /// left of them, as far as Open CASCADE can, and listed as losses of shape. It crashes on some of
+  /// these, or never comes back: for programs that outlive it. Without, they are left out.
+  bool damaged = false;
 
   /// Told each step before it begins: "transferring the shapes of part.step". What it throws ends
   /// the reading.

@@ -48,7 +48,8 @@ std::string name_of(const Reading& reading) {
   const boost::uuids::name_generator_sha1 content(boost::uuids::ns::oid());
   const boost::uuids::name_generator_sha1 all(content(reading.text));
   return boost::uuids::to_string(all(folder().reader + "\n" OCC_VERSION_COMPLETE "\n" +
-                                     (reading.options.names ? "names" : "shapes")));
+                                     (reading.options.names ? "names" : "shapes") +
+                                     (reading.options.damaged ? " of all" : "")));
 }
 
 std::uint32_t check_sum(const std::string& bytes) {

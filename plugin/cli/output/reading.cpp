@@ -36,6 +36,15 @@ void tell(const std::filesystem::path& file, const occt::ReadingReport& report) 
     detail((loss.of_shape ? "  shape: " : "  ") + loss.text());
 }
 
+/// Tells which step of reading begins. Where faces of damaged entities never come to an end, all is
+/// read again without them: both have the time of one.
+void enter_step(const std::string& file, double allowance, std::string_view step) {
+  const bool names = step.starts_with(occt::kReadingNames);
+  const bool damaged = step.starts_with(occt::kMakingDamaged);
+  enter(names || damaged ? Phase::Optional : Phase::Reading, file, std::string(step));
+  if (damaged) allow_processor_time(allowance / 2);
+}
+
 }  // namespace
 
 ReadingPolicy& reading_policy() {
@@ -55,13 +64,12 @@ double reading_allowance(const std::filesystem::path& file) {
 occt::Model read_and_report(const std::filesystem::path& file) {
   const std::string name = file.string();
   enter(Phase::Reading, name);
-  allow_processor_time(reading_allowance(file));
+  const double allowance = reading_allowance(file);
+  allow_processor_time(allowance);
   occt::ReadOptions options{.names = !has_failed(occt::kReadingNames + (" of " + name)),
-                            .looks = reading_policy().looks};
-  options.step = [&name](const char* step) {
-    const bool names = std::string_view(step).starts_with(occt::kReadingNames);
-    enter(names ? Phase::Optional : Phase::Reading, name, step);
-  };
+                            .looks = reading_policy().looks,
+                            .damaged = !has_failed(occt::kMakingDamaged + (" of " + name))};
+  options.step = [&](const char* step) { enter_step(name, allowance, step); };
   occt::Model model = occt::read_model(file, options);
   enter(Phase::Working, "working on " + name);
   const occt::ReadingReport& report = model.reading();

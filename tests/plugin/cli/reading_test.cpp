@@ -75,6 +75,16 @@ TEST_F(Reading, LossesOfShapeLowerTheStatusAndAreRefusedByStrict) {
       << strict.err;
 }
 
+TEST_F(Reading, DamagedFacesOnWhichOpenCascadeCrashesAreLeftOut) {
+  std::string text = testing::text_of(folder / "whole.step");
+  const std::size_t bound = text.rfind("FACE_BOUND("), loop = text.find('#', bound);
+  testing::write_text(folder / "loop.step", text.replace(loop, text.find(',', loop) - loop, "$"));
+  const Finished run = blossom({"info", folder / "loop.step"});
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("FACE_BOUND: bound is missing"), std::string::npos) << run.err;
+  EXPECT_EQ(report_of("loop.step")["counts"]["faces"], 1);
+}
+
 TEST_F(Reading, NoStatusIsBetterThanToleranceThen) {
   const std::string floor = folder / "floor.brep";
   const Finished whole =

@@ -91,15 +91,22 @@ Handle(Standard_Transient) read_step(Reading& reading) {
   const auto model = Handle(StepData_StepModel)::DownCast(reader.Model());
   if (model->NbEntities() == 0) refuse("has a header, but nothing in it", reading.report);
   const StepOwners owners(*model, reader.WS()->Graph());
-  const auto left_out = leave_out_damage(owners, reading.report);
+  bool tried = false;
+  const auto keeps = [&](const Handle(StepShape_FaceSurface) & face) {
+    if (reading.options.damaged && !std::exchange(tried, true)) reading.begin(kMakingDamaged);
+    return tried && can_be_made(face);
+  };
+  StepDamage damage = leave_out_damage(owners, keeps, reading.report);
 
-  reading.begin("transferring the shapes");
+  if (damage.kept.empty()) reading.begin("transferring the shapes");
   transfer_roots(reader, reading.report);
   find_unit(reader, reading.contents);
   Transfer_TransientProcess& made = *reader.WS()->TransferReader()->TransientProcess();
   const TurnedFaces turned = mend_turned_faces(*model, made);
   StepResults results(owners, made, reading.report);
-  results.list(left_out);
+  results.list_kept(damage.kept);
+  for (const DamagedFace& kept : damage.kept) damage.out.insert(kept.face.get());
+  results.list(damage.out);
   results.list_turned(turned.left);
   PlainParts& parts = reading.contents.parts;
   for (int i = 1; i <= reader.NbShapes(); ++i)

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <numeric>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include <Interface_Check.hxx>
 #include <Interface_EntityIterator.hxx>
@@ -32,6 +32,7 @@
 #include <StepRepr_RepresentationMap.hxx>
 #include <StepRepr_RepresentationRelationship.hxx>
 #include <StepRepr_RepresentationRelationshipWithTransformation.hxx>
+#include <StepRepr_RepresentedDefinition.hxx>
 #include <StepRepr_ShapeRepresentationRelationship.hxx>
 #include <StepShape_ConnectedFaceSet.hxx>
 #include <StepShape_ContextDependentShapeRepresentation.hxx>
@@ -39,6 +40,7 @@
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_GeometricSet.hxx>
 #include <StepShape_HArray1OfFace.hxx>
+#include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <StepShape_TopologicalRepresentationItem.hxx>
@@ -47,6 +49,8 @@
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColStd_HArray2OfReal.hxx>
 #include <TCollection_HAsciiString.hxx>
+
+#include "adapters/occt/convert/curves_detail.h"
 
 namespace blossom::occt {
 namespace {
@@ -57,8 +61,10 @@ bool is_of(const Entity& entity, const char* room) {
   return std::strncmp(entity->DynamicType()->Name(), room, std::strlen(room)) == 0;
 }
 
+/// The last holds curves in parameters of faces.
 bool is_geometry(const Entity& entity) {
-  return is_of(entity, "StepGeom_") || is_of(entity, "StepShape_");
+  return is_of(entity, "StepGeom_") || is_of(entity, "StepShape_") ||
+         entity->IsKind(STANDARD_TYPE(StepRepr_DefinitionalRepresentation));
 }
 
 /// How parts are put together: what is lost here may be a whole part.
@@ -93,9 +99,15 @@ struct Fault {
   bool unresolved = false;  ///< it refers to an entity that is not in the file
 };
 
-/// Open CASCADE says "Parameter n0.3 (edge_end) : Unresolved reference".
+/// Open CASCADE says "Parameter n0.3 (edge_end) : Unresolved reference", or of an entity that has
+/// none of its fields then, "Count of Parameters is not 4 for edge_curve".
 Fault in_words(std::string_view fail) {
   constexpr auto npos = std::string_view::npos;
+  if (constexpr std::string_view count = "Count of Parameters is not "; fail.starts_with(count)) {
+    const std::string_view rest = fail.substr(count.size());
+    return {"it does not have " + std::string(rest.substr(0, rest.find(' '))) + " parameters",
+            Harm::Field};
+  }
   const std::size_t open = fail.find('('), close = fail.find(')');
   const std::string field = fail.starts_with("Parameter") && open != npos && close != npos
                                 ? std::string(fail.substr(open + 1, close - open - 1))
@@ -177,8 +189,22 @@ std::string corner_fault(const StepShape_VertexPoint& vertex) {
   return "its point has " + std::to_string(point->NbCoordinates()) + " coordinates instead of 3";
 }
 
+std::string place_fault(const StepGeom_CartesianPoint& point) {
+  for (int i = 1; i <= point.NbCoordinates(); ++i)
+    if (!is_bounded({point.CoordinatesValue(i), 0, 0})) return "a coordinate is not finite";
+  return {};
+}
+
+/// Of a curve in parameters: Open CASCADE takes the first item for it without asking.
+std::string planar_fault(const StepRepr_DefinitionalRepresentation& planar) {
+  const bool has_curve =
+      planar.NbItems() > 0 && !Handle(StepGeom_Curve)::DownCast(planar.ItemsValue(1)).IsNull();
+  return has_curve ? "" : "it has no curve";
+}
+
 /// What is wrong with an entity that Open CASCADE loads without a word; nothing for most.
 std::string silent_fault(const Standard_Transient& entity) {
+  if (const auto* p = dynamic_cast<const StepGeom_CartesianPoint*>(&entity)) return place_fault(*p);
   if (const auto* v = dynamic_cast<const StepShape_VertexPoint*>(&entity)) return corner_fault(*v);
   if (const auto* s = dynamic_cast<const StepGeom_BSplineSurfaceWithKnots*>(&entity))
     return surface_miscount(*s);
@@ -190,13 +216,14 @@ std::string silent_fault(const Standard_Transient& entity) {
   if (const auto* c =
           dynamic_cast<const StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve*>(&entity))
     return rational_fault(*c);
+  if (const auto* planar = dynamic_cast<const StepRepr_DefinitionalRepresentation*>(&entity))
+    return planar_fault(*planar);
   return {};
 }
 
 /// Whether a unit is not what the file says. The exponents of its dimensions are not needed.
 bool loses_unit(const Entity& entity, const Fault& fault) {
-  if (!is_unit(entity) || fault.cause.starts_with("dimensions")) return false;
-  return fault.harm == Harm::Field || fault.cause.starts_with("Count of Parameters");
+  return is_unit(entity) && !fault.cause.starts_with("dimensions") && fault.harm == Harm::Field;
 }
 
 Fault fault_of(const StepData_StepModel& model, int number) {
@@ -337,14 +364,21 @@ void leave_out(const Handle(StepShape_FaceSurface) & face) {
   face->SetFaceGeometry(new StepGeom_Surface);
 }
 
-/// Open CASCADE uses the location and the directions of a placement without asking whether they are
-/// there. What bounds faces is left out with them; the rest is not moved, or not turned.
-void keep_placed(const Entity& entity, const Interface_Graph& graph) {
+/// Open CASCADE uses the location and the directions of a placement, and what a shape is defined
+/// of, without asking whether they are there. What bounds faces is left out with them; the rest is
+/// not moved, or not turned, or of no product.
+void keep_usable(const Entity& entity, const Interface_Graph& graph) {
   if (const auto place = Handle(StepGeom_Placement)::DownCast(entity);
       !place.IsNull() && place->Location().IsNull()) {
     const Handle(StepGeom_CartesianPoint) origin = new StepGeom_CartesianPoint;
     origin->Init3D(new TCollection_HAsciiString(""), 0, 0, 0);
     place->SetLocation(origin);
+  }
+  if (const auto shape = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(entity);
+      !shape.IsNull() && shape->Definition().PropertyDefinition().IsNull()) {
+    StepRepr_RepresentedDefinition nothing;
+    nothing.SetValue(new StepRepr_PropertyDefinition);
+    shape->SetDefinition(nothing);
   }
   const auto direction = Handle(StepGeom_Direction)::DownCast(entity);
   if (direction.IsNull() || !direction->DirectionRatios().IsNull()) return;
@@ -367,10 +401,10 @@ class Damage {
                           ? uses_of(owners_.graph(), entity)
                           : Uses{};
     keep_curves_in_space(uses.edges);
-    keep_placed(entity, owners_.graph());
+    keep_usable(entity, owners_.graph());
     for (const Handle(StepShape_FaceSurface) & face : uses.faces) add_face(face, entity, fault);
     if (fault.harm == Harm::Field && entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)))
-      out_.insert(entity.get());
+      damage_.out.insert(entity.get());
     if (!uses.faces.empty()) return;
     const bool part = fault.harm == Harm::Field && is_assembly(entity);
     const bool item = fault.unresolved && entity->IsKind(STANDARD_TYPE(StepRepr_Representation)) &&
@@ -379,27 +413,39 @@ class Damage {
     Loss loss{owners_.type(entity), fault.cause, uses.shape || part || item || unit};
     loss.which.push_back(owners_.label(entity));
     report_.add(loss);
-    if (is_of_two_shapes(entity)) out_.insert(entity.get());
+    if (is_of_two_shapes(entity)) damage_.out.insert(entity.get());
   }
 
-  /// Faces and solids that must not be made, and what else is listed and looked at again.
-  const Entities& out() const { return out_; }
+  /// What is damaged in a face may be mended for another, so it is decided when all is known.
+  StepDamage decide(const FaceChoice& keeps) {
+    for (DamagedFace& damaged : faces_) {
+      if (keeps(damaged.face)) {
+        damage_.kept.push_back(std::move(damaged));
+        continue;
+      }
+      leave_out(damaged.face);
+      damage_.out.insert(damaged.face.get());
+      report_.add(damaged.loss);
+    }
+    return std::move(damage_);
+  }
 
  private:
   void add_face(const Handle(StepShape_FaceSurface) & face, const Entity& entity,
                 const Fault& fault) {
-    if (!out_.insert(face.get()).second) return;
+    if (!seen_.insert(face.get()).second) return;
     Loss loss{"face", owners_.type(entity) + ": " + fault.cause, true};
     loss.which.push_back(owners_.label(face) + " by " + owners_.label(entity));
     if (const std::string product = owners_.product(face).name; !product.empty())
       loss.belongs_to.push_back(product);
-    leave_out(face);
-    report_.add(loss);
+    faces_.push_back({face, loss});
   }
 
   const StepOwners& owners_;
   ReadingReport& report_;
-  Entities out_;
+  StepDamage damage_;
+  std::vector<DamagedFace> faces_;
+  Entities seen_;
 };
 
 /// What a shape is used by on the way to its product.
@@ -459,14 +505,18 @@ StepProduct StepOwners::product(const Handle(Standard_Transient) & entity) const
   return product;
 }
 
-std::set<const Standard_Transient*> leave_out_damage(const StepOwners& owners,
-                                                     ReadingReport& report) {
-  Damage damage(owners, report);
+StepDamage leave_out_damage(const StepOwners& owners, const FaceChoice& keeps,
+                            ReadingReport& report) {
+  Damage search(owners, report);
+  bool any = false;
   for (int i = 1; i <= owners.model().NbEntities(); ++i)
-    if (const Fault fault = fault_of(owners.model(), i); !fault.cause.empty())
-      damage.add(owners.model().Value(i), fault);
-  if (!report.losses.empty()) close_lists(owners.model(), damage.out());
-  return damage.out();
+    if (const Fault fault = fault_of(owners.model(), i); !fault.cause.empty()) {
+      search.add(owners.model().Value(i), fault);
+      any = true;
+    }
+  StepDamage damage = search.decide(keeps);
+  if (any) close_lists(owners.model(), damage.out);
+  return damage;
 }
 
 }  // namespace blossom::occt

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Entities of a STEP file that came in damaged, and the faces that must not be made of them. For
+// Entities of a STEP file that came in damaged, and what becomes of the faces that use them. For
 // this folder only.
 
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <Interface_Graph.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepShape_FaceSurface.hxx>
 
 #include "adapters/occt/reading.h"
 
@@ -47,11 +50,26 @@ std::string product_name(const Handle(Standard_Transient) & definition);
 /// other. What is lost if one of them is not read shows when shapes are made.
 bool is_of_two_shapes(const Handle(Standard_Transient) & entity);
 
+/// A face whose geometry or border is damaged, and how that is told if nothing becomes of it.
+struct DamagedFace {
+  Handle(StepShape_FaceSurface) face;
+  Loss loss;
+};
+
+/// Whether a face is kept.
+using FaceChoice = std::function<bool(const Handle(StepShape_FaceSurface)&)>;
+
+/// What is done about damage.
+struct StepDamage {
+  std::vector<DamagedFace> kept;            ///< not listed yet
+  std::set<const Standard_Transient*> out;  ///< faces and solids that are out, already listed
+};
+
 /// Lists the entities that Open CASCADE could not load whole or would read wrong. Faces whose
-/// geometry or border is among these are taken out of their shells; an edge whose curve is damaged
-/// in the parameters of a face only keeps its curve in space.
-/// returns   the faces and solids that are out, already listed
-std::set<const Standard_Transient*> leave_out_damage(const StepOwners& owners,
-                                                     ReadingReport& report);
+/// geometry or border is among these are taken out of their shells unless they are kept; an edge
+/// whose curve is damaged in the parameters of a face only keeps its curve in space.
+/// keeps   asked for each damaged face
+StepDamage leave_out_damage(const StepOwners& owners, const FaceChoice& keeps,
+                            ReadingReport& report);
 
 }  // namespace blossom::occt

@@ -22,10 +22,16 @@
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
 #include <StepShape_SolidModel.hxx>
+#include <StepToTopoDS_DataMapOfTRI.hxx>
+#include <StepToTopoDS_NMTool.hxx>
+#include <StepToTopoDS_Tool.hxx>
+#include <StepToTopoDS_TranslateFace.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_Binder.hxx>
 #include <gp_XYZ.hxx>
+
+#include "adapters/occt/exchange/numbers.h"
 
 namespace blossom::occt {
 namespace {
@@ -92,11 +98,32 @@ std::string unknown_kinds(const StepData_StepModel& model) {
 
 }  // namespace
 
+bool can_be_made(const Handle(StepShape_FaceSurface) & face) try {
+  const Handle(Transfer_TransientProcess) aside = new Transfer_TransientProcess;
+  StepToTopoDS_DataMapOfTRI shapes;
+  StepToTopoDS_Tool tool(shapes, aside);
+  StepToTopoDS_NMTool several;
+  const StepToTopoDS_TranslateFace made(face, tool, several);
+  return made.IsDone() && BadShapes(made.Value(), NumberSource(nullptr)).none();
+} catch (const Standard_Failure&) {
+  return false;
+}
+
 void StepResults::list_turned(const std::vector<Handle(StepShape_FaceSurface)>& faces) {
   for (const auto& face : faces)
     add(face, "face",
         "it is not what the file says: Open CASCADE takes its border for that of the rest of the "
         "surface");
+}
+
+void StepResults::list_kept(const std::vector<DamagedFace>& faces) {
+  for (const DamagedFace& damaged : faces) {
+    Loss loss = damaged.loss;
+    const bool made = became_a_shape(damaged.face);
+    if (made) loss.cause += "; it is made of what is left";
+    report_.add(loss);
+    if (made) list_borders(*damaged.face);
+  }
 }
 
 void StepResults::list(const std::set<const Standard_Transient*>& known) {

@@ -16,6 +16,10 @@
 
 namespace blossom::occt {
 
+/// Whether Open CASCADE makes a face of a damaged one, all of whose numbers are some, without an
+/// exception that would take the faces round it along. It may crash, or never come back.
+bool can_be_made(const Handle(StepShape_FaceSurface) & face);
+
 /// Lists what became no shape, or another one than the file says.
 class StepResults {
  public:
@@ -25,6 +29,9 @@ class StepResults {
 
   /// Faces that are the rest of their surface.
   void list_turned(const std::vector<Handle(StepShape_FaceSurface)>& faces);
+
+  /// Damaged faces, and of those that became a shape the borders that they lack.
+  void list_kept(const std::vector<DamagedFace>& faces);
 
   /// Faces and solids that could not be made, borders that faces lack, shapes of kinds that are not
   /// read, and places whose scale or mirror is left out.

@@ -36,6 +36,7 @@ using Face = Handle(StepShape_FaceSurface);
 
 /// Surfaces that may be closed in both directions.
 bool may_be_closed(const Handle(StepGeom_Surface) & surface) {
+  if (surface.IsNull()) return false;
   return surface->IsKind(STANDARD_TYPE(StepGeom_SphericalSurface)) ||
          surface->IsKind(STANDARD_TYPE(StepGeom_ToroidalSurface)) ||
          surface->IsKind(STANDARD_TYPE(StepGeom_SurfaceOfRevolution)) ||
@@ -56,7 +57,7 @@ struct FileBorder {
 
   explicit FileBorder(const StepShape_FaceSurface& face) {
     for (int i = 1; i <= face.NbBounds(); ++i)
-      if (const auto bound = face.BoundsValue(i); !bound.IsNull())
+      if (const auto bound = face.BoundsValue(i); !bound.IsNull() && !bound->Bound().IsNull())
         add(*bound, face.SameSense() ? 1 : -1);
   }
 
@@ -66,6 +67,7 @@ struct FileBorder {
     const auto loop = Handle(StepShape_EdgeLoop)::DownCast(bound.Bound());
     for (int k = 1; !loop.IsNull() && k <= loop->NbEdgeList(); ++k) {
       const auto used = loop->EdgeListValue(k);
+      if (used.IsNull() || used->EdgeElement().IsNull()) continue;
       const auto edge = used->EdgeElement();
       const bool along = runs_with_curve(*edge) == (used->Orientation() == bound.Orientation());
       const int direction = along ? sense : -sense;

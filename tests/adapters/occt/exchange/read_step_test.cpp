@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Damaged and odd STEP files.
 
+#include <algorithm>
 #include <cctype>
 #include <string>
 
@@ -155,6 +156,74 @@ TEST(ReadingStep, LeavesOutTheFacesOfAnEntityThatIsNotThere) {
       << loss(folder / "hole.step");
   EXPECT_NE(loss(folder / "hole.step").find("product 'Base plate'"), std::string::npos)
       << loss(folder / "hole.step");
+}
+
+/// The sample with other text for the first `from` behind `start`, read with damaged faces made as
+/// far as they can be.
+Model read_damaged(const std::string& start, const std::string& from, const std::string& to) {
+  const Folder folder;
+  std::string text = sample(".step");
+  const std::size_t entity = text.find(start), place = text.find(from, entity);
+  EXPECT_NE(entity, std::string::npos) << start;
+  EXPECT_NE(place, std::string::npos) << from;
+  testing::write_content(folder / "damaged.step", text.replace(place, from.size(), to));
+  return read_model(folder / "damaged.step", {.damaged = true});
+}
+
+bool tells(const Model& model, const std::string& words) {
+  return std::ranges::any_of(model.reading().losses, [&](const Loss& loss) {
+    return loss.of_shape && loss.text().find(words) != std::string::npos;
+  });
+}
+
+/// The field behind the name of the first entity of a kind.
+std::string first_field(const std::string& kind) {
+  const std::string text = sample(".step");
+  const std::size_t place = text.find('#', text.find(kind));
+  return text.substr(place, text.find_first_of(",)", place) - place);
+}
+
+TEST(ReadingStep, MakesFacesOfWhatIsLeftWhenAsked) {
+  const Model model = read_damaged("ORIENTED_EDGE(", first_field("ORIENTED_EDGE("), "$");
+  EXPECT_EQ(model.face_count(), 18);
+  EXPECT_EQ(model.reading().grade(), ReadingGrade::ShapesLost);
+  EXPECT_TRUE(tells(model, "edge_element is missing; it is made of what is left"));
+}
+
+TEST(ReadingStep, LeavesOutDamagedFacesThatWouldTakeOthersAlong) {
+  const Model model = read_damaged("EDGE_CURVE(", first_field("EDGE_CURVE("), "$");
+  EXPECT_EQ(model.face_count(), 16);
+  EXPECT_TRUE(tells(model, "2 faces"));
+  EXPECT_FALSE(tells(model, "made of what is left"));
+}
+
+TEST(ReadingStep, TakesEntitiesWithTooManyFieldsForEmpty) {
+  const Model model = read_damaged("ADVANCED_FACE(", ");", ",$);");
+  EXPECT_EQ(model.face_count(), 17);
+  EXPECT_TRUE(tells(model, "it does not have 4 parameters"));
+}
+
+TEST(ReadingStep, LeavesOutFacesAtPlacesThatAreEndless) {
+  const std::string corner = first_field("VERTEX_POINT(");
+  const std::string text = sample(".step");
+  const std::size_t open = text.find("(", text.find("(", text.find("\n" + corner + " =")) + 1);
+  const std::string first = text.substr(open, text.find(',', open) - open);
+  const Model model = read_damaged("\n" + corner + " =", first, "(1.E+308");
+  EXPECT_EQ(model.face_count(), 15);
+  EXPECT_TRUE(tells(model, "CARTESIAN_POINT: a coordinate is not finite"));
+}
+
+TEST(ReadingStep, UsesCurvesInSpaceWhereThoseInFacesAreNone) {
+  const std::string curve = first_field("DEFINITIONAL_REPRESENTATION(");
+  const Model model = read_damaged("DEFINITIONAL_REPRESENTATION(", curve, first_field("LINE("));
+  EXPECT_EQ(model.face_count(), 18);
+  EXPECT_EQ(model.reading().grade(), ReadingGrade::AttributesLost);
+}
+
+TEST(ReadingStep, OutlivesShapesThatAreOfNothing) {
+  const std::string of = first_field("SHAPE_DEFINITION_REPRESENTATION(");
+  const Model model = read_damaged("SHAPE_DEFINITION_REPRESENTATION(", of, "$");
+  EXPECT_EQ(model.face_count(), 18);
 }
 
 TEST(ReadingStep, LeavesOutTheFacesOfAPointThatIsNone) {
