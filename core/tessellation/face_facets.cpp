@@ -56,8 +56,10 @@ class FacetBuilder {
   FaceAttempt attempt(int round) {
     const bool last = round == kLastRound;
     if (polygon_.sides.empty()) return refused("its borders have no length");
+    std::vector<EdgeSegment> far = polygon_.too_far(surface_, surface_.allowed());
+    // Facets at a side that halving does not shorten would be divided for ever.
+    if (last && !far.empty()) return refused("its borders have gaps on its surface");
     if (!last) {
-      std::vector<EdgeSegment> far = polygon_.too_far(surface_, surface_.allowed());
       if (!far.empty()) return {std::move(far), {}};
       std::vector<EdgeSegment> longer = long_sides();
       if (!longer.empty()) return {std::move(longer), {}};

@@ -435,6 +435,14 @@ TEST(ShapeFacets, SayWhichFaceHasCrossingBorders) {
   EXPECT_TRUE(facets.faces[0].triangles.empty());
 }
 
+TEST(ShapeFacets, SayWhichFaceHasBordersWithGaps) {
+  ShapeModel model = roof();
+  model.faces[0].chart.borders[0].curve = planar_line({0, 0}, {0.5, 0}, {0, 1});
+  const ShapeFacets facets = shape_facets(model, {.deviation = 0.005});
+  EXPECT_EQ(facets.faces[0].obstacle, "its borders have gaps on its surface");
+  EXPECT_TRUE(facets.faces[0].triangles.empty());
+}
+
 TEST(ShapeFacets, StopWhenTheyAreTold) {
   EXPECT_TRUE(shape_facets(square(), {.deviation = 0.1}, [] { return false; }).stopped);
 }
