@@ -29,9 +29,11 @@ bool holds_shapes(const TopoDS_Shape& shape) {
   return false;
 }
 
+/// A face without a border is all of its surface.
 bool is_empty(const TopoDS_Shape& shape) {
   return shape.IsNull() || !holds_shapes(shape) ||
-         (shape.ShapeType() != TopAbs_VERTEX && !TopoDS_Iterator(shape).More());
+         (shape.ShapeType() != TopAbs_VERTEX && shape.ShapeType() != TopAbs_FACE &&
+          !TopoDS_Iterator(shape).More());
 }
 
 /// Open CASCADE takes time by the square of the depth, and a thread's stack has an end.
@@ -49,13 +51,7 @@ void require_shallow(const TopoDS_Shape& shape, int level,
     require_shallow(it.Value(), level + 1, seen);
 }
 
-/// A face that is all of its surface, and that alone.
-bool is_endless(const TopoDS_Shape& shape) {
-  return !shape.IsNull() && shape.ShapeType() == TopAbs_FACE && !TopoDS_Iterator(shape).More();
-}
-
 void require_shape(const TopoDS_Shape& shape, const ReadingReport& report) {
-  if (is_endless(shape)) refuse("holds nothing but a face without a border", report);
   if (is_empty(shape)) refuse("holds no shape", report);
 }
 
