@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <IGESBasic_Name.hxx>
 #include <IGESBasic_SubfigureDef.hxx>
@@ -20,15 +21,19 @@
 #include <IGESData_HArray1OfIGESEntity.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <IGESGeom_Boundary.hxx>
 #include <IGESGeom_BoundedSurface.hxx>
+#include <IGESGeom_CurveOnSurface.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
+#include <IGESSolid_Loop.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <Interface_Static.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TransferBRep.hxx>
+#include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
@@ -130,13 +135,24 @@ std::string kind_of(const Handle(Standard_Transient) & entity) {
   return type.substr(type.find('_') + 1);
 }
 
+/// Of a fault in loading: Open CASCADE has no text for parameters that are too many or too few, and
+/// leaves places for numbers open.
+std::string loading_words(std::string fault) {
+  if (fault.starts_with("Unknown message"))
+    return "its parameters are too many, too few or of another kind";
+  for (const std::string open : {" : %d", " %d"})
+    if (const std::size_t place = fault.find(open); place != std::string::npos)
+      fault.erase(place, open.size());
+  return fault;
+}
+
 /// Entities that could not be loaded whole. Whether a shape is touched shows when faces are made.
 void list_loading_faults(const IGESData_IGESModel& model, ReadingReport& report) {
   for (int i = 1; i <= model.NbEntities(); ++i) {
     const Handle(Interface_Check) check = model.Check(i, true);
     if (check.IsNull() || !check->HasFailed()) continue;
     const Handle(Standard_Transient) entity = model.Value(i);
-    report.add({kind_of(entity), check->CFail(1), false, 1, {label(model, entity)}});
+    report.add({kind_of(entity), loading_words(check->CFail(1)), false, 1, {label(model, entity)}});
   }
 }
 
@@ -176,12 +192,52 @@ bool is_face(const Handle(Standard_Transient) & entity) {
          entity->IsKind(STANDARD_TYPE(IGESSolid_Face));
 }
 
+/// What bounds a face; null for what is no such thing.
+std::vector<Handle(Standard_Transient)> borders_of(const Handle(Standard_Transient) & face) {
+  std::vector<Handle(Standard_Transient)> borders;
+  if (const auto trimmed = Handle(IGESGeom_TrimmedSurface)::DownCast(face); !trimmed.IsNull()) {
+    if (trimmed->OuterBoundaryType() != 0) borders.push_back(trimmed->OuterContour());
+    for (int i = 1; i <= trimmed->NbInnerContours(); ++i)
+      borders.push_back(trimmed->InnerContour(i));
+  }
+  if (const auto bounded = Handle(IGESGeom_BoundedSurface)::DownCast(face); !bounded.IsNull())
+    for (int i = 1; i <= bounded->NbBoundaries(); ++i) borders.push_back(bounded->Boundary(i));
+  if (const auto solid = Handle(IGESSolid_Face)::DownCast(face); !solid.IsNull())
+    for (int i = 1; i <= solid->NbLoops(); ++i) borders.push_back(solid->Loop(i));
+  return borders;
+}
+
+/// Whether Open CASCADE said something against a border and made none, or could not load it.
+bool is_lost(const Handle(Standard_Transient) & border, const Transfer_TransientProcess& made) {
+  if (border.IsNull()) return true;
+  const Handle(Transfer_Binder) binder = made.Find(border);
+  if (binder.IsNull() || !TransferBRep::ShapeResult(binder).IsNull()) return false;
+  const Handle(Interface_Check) said = binder->Check();
+  return !said.IsNull() && (said->HasFailed() || said->HasWarnings());
+}
+
+void list_lost_borders(const Handle(Standard_Transient) & face, const IGESData_IGESModel& model,
+                       const Transfer_TransientProcess& made, ReadingReport& report) {
+  for (const Handle(Standard_Transient) & border : borders_of(face))
+    if (is_lost(border, made))
+      report.add(
+          {"border",
+           kBorderLost,
+           true,
+           1,
+           {(border.IsNull() ? "" : label(model, border) + " ") + "of " + label(model, face)}});
+}
+
+/// Faces that are not there, and borders that faces lack.
 void list_lost_faces(const IGESData_IGESModel& model, const Transfer_TransientProcess& made,
                      ReadingReport& report) {
   for (int i = 1; i <= model.NbEntities(); ++i) {
     const Handle(Standard_Transient) entity = model.Value(i);
-    if (!is_face(entity) || !TransferBRep::ShapeResult(made.Find(entity)).IsNull()) continue;
-    report.add({"face", "Open CASCADE makes no face of it", true, 1, {label(model, entity)}});
+    if (!is_face(entity)) continue;
+    if (TransferBRep::ShapeResult(made.Find(entity)).IsNull())
+      report.add({"face", "Open CASCADE makes no face of it", true, 1, {label(model, entity)}});
+    else
+      list_lost_borders(entity, model, made, report);
   }
 }
 

@@ -37,6 +37,11 @@ struct Model::Impl : Contents {
 /// Why there are none.
 inline constexpr const char* kNamesNotRead = "reading them fails, or is not wanted";
 
+/// What becomes of a face without a border of it that cannot be made: a hole is closed, and without
+/// the outer border all of the surface is there.
+inline constexpr const char* kBorderLost =
+    "Open CASCADE cannot make it, and the face goes on where it should end";
+
 /// A file on its way into a model.
 struct Reading {
   Contents& contents;

@@ -31,6 +31,7 @@
 #include <Transfer_Binder.hxx>
 #include <gp_XYZ.hxx>
 
+#include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/exchange/numbers.h"
 
 namespace blossom::occt {
@@ -154,15 +155,12 @@ void StepResults::list_face(const Handle(StepShape_FaceSurface) & face) {
   add(face, "face", cause.empty() ? "Open CASCADE makes no face of it" : cause);
 }
 
-/// Open CASCADE makes faces without the borders that it cannot make: holes are closed then, and
-/// without the outer border all of the surface is there.
 void StepResults::list_borders(const StepShape_FaceSurface& face) {
   for (int i = 1; i <= face.NbBounds(); ++i) {
     if (face.BoundsValue(i).IsNull()) continue;
     const Handle(StepShape_Loop) loop = face.BoundsValue(i)->Bound();
     if (loop.IsNull() || !has_failed(loop)) continue;
-    if (TransferBRep::ShapeResult(made_.Find(loop)).IsNull())
-      add(loop, "border", "Open CASCADE cannot make it, and the face goes on where it should end");
+    if (TransferBRep::ShapeResult(made_.Find(loop)).IsNull()) add(loop, "border", kBorderLost);
   }
 }
 

@@ -146,6 +146,51 @@ TEST(IgesTexts, TellEntitiesOfWhichNothingIsMade) {
   EXPECT_EQ(model.reading().grade(), ReadingGrade::ShapesLost);
 }
 
+/// A plane with a square hole in a square.
+/// bounded   whether the border of the hole has a curve
+std::string plane_with_a_hole(bool bounded) {
+  IgesWriting file;
+  const auto link = [](int number) { return std::to_string(number); };
+  const int plane = file.add(108, "0.,0.,1.,0.,0,0.,0.,0.,1.");
+  const auto square = [&](const std::string& half) {
+    const std::array corners{"-" + half + ",-" + half, half + ",-" + half, half + "," + half,
+                             "-" + half + "," + half};
+    std::string lines;
+    for (std::size_t k = 0; k < 4; ++k)
+      lines += "," + link(file.add(110, corners[k] + ",0.," + corners[(k + 1) % 4] + ",0."));
+    return link(file.add(102, "4" + lines));
+  };
+  const auto border = [&](const std::string& curve) {
+    return link(file.add(142, "0," + link(plane) + ",0," + curve + ",2"));
+  };
+  const std::string outer = border(square("10.")), inner = border(bounded ? square("2.") : "0");
+  file.add(144, link(plane) + ",1,1," + outer + "," + inner);
+  return file.text();
+}
+
+TEST(IgesTexts, TellBordersThatCannotBeMade) {
+  EXPECT_EQ(read_text(plane_with_a_hole(true)).reading().summary(), "");
+  const Model model = read_text(plane_with_a_hole(false));
+  EXPECT_EQ(model.face_count(), 1);
+  EXPECT_EQ(model.reading().grade(), ReadingGrade::ShapesLost);
+  EXPECT_NE(model.reading().summary().find("the face goes on where it should end"),
+            std::string::npos)
+      << model.reading().summary();
+}
+
+TEST(IgesTexts, TellFaultsInWords) {
+  for (const char* fault :
+       {"110,0.,0.,0.,1.,0.,0.,8.", "126,1,1,0,0,1,7,0.,0.,1.,1.,1.,1.,0.,0.,0.,1.,0.,0.,0.,1."}) {
+    IgesWriting file = sheet();
+    file.add(std::stoi(fault), fault + 4);
+    const Model model = read_text(file.text());
+    EXPECT_FALSE(model.reading().losses.empty()) << fault;
+    for (const Loss& loss : model.reading().losses)
+      for (const char* no_word : {"%d", "XSTEP", "Unknown message"})
+        EXPECT_EQ(loss.text().find(no_word), std::string::npos) << loss.text();
+  }
+}
+
 TEST(IgesTexts, MayHaveAnEndlessPlaneAlone) {
   IgesWriting file;
   file.add(108, "0.,0.,1.,0.,0,0.,0.,0.,1.");
