@@ -140,7 +140,7 @@ std::string kind_of(const Handle(Standard_Transient) & entity) {
 std::string loading_words(std::string fault) {
   if (fault.starts_with("Unknown message"))
     return "its parameters are too many, too few or of another kind";
-  for (const std::string open : {" : %d", " %d"})
+  for (const std::string open : {" : %d", " : %s", " %d", " %s"})
     if (const std::size_t place = fault.find(open); place != std::string::npos)
       fault.erase(place, open.size());
   return fault;

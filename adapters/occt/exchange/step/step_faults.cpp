@@ -99,12 +99,14 @@ struct Fault {
   bool unresolved = false;  ///< it refers to an entity that is not in the file
 };
 
+constexpr std::string_view kCountFault = "Count of Parameters is not ";
+
 /// Open CASCADE says "Parameter n0.3 (edge_end) : Unresolved reference", or of an entity that has
 /// none of its fields then, "Count of Parameters is not 4 for edge_curve".
 Fault in_words(std::string_view fail) {
   constexpr auto npos = std::string_view::npos;
-  if (constexpr std::string_view count = "Count of Parameters is not "; fail.starts_with(count)) {
-    const std::string_view rest = fail.substr(count.size());
+  if (fail.starts_with(kCountFault)) {
+    const std::string_view rest = fail.substr(kCountFault.size());
     return {"it does not have " + std::string(rest.substr(0, rest.find(' '))) + " parameters",
             Harm::Field};
   }
@@ -123,13 +125,20 @@ Fault in_words(std::string_view fail) {
   return {field + " cannot be read"};
 }
 
+/// "(BOUNDED_CURVE()B_SPLINE_CURVE(...)...)".
+bool is_complex(const StepData_StepModel& model, const Entity& entity) {
+  return model.TypeName(entity, false)[0] == '(';
+}
+
 /// The worst of what loading says. Names are odd in many good files.
-Fault loading_fault(const Interface_Check& check) {
+/// in_parts   of a complex entity: if the count of one part is wrong, the others are there
+Fault loading_fault(const Interface_Check& check, bool in_parts) {
   Fault worst;
   for (int i = 1; i <= check.NbFails(); ++i) {
     const std::string_view fail = check.CFail(i);
     if (fail.find("(name)") != std::string_view::npos) continue;
-    const Fault fault = in_words(fail);
+    Fault fault = in_words(fail);
+    if (in_parts && fail.starts_with(kCountFault)) fault.harm = Harm::None;
     if (worst.cause.empty() || (worst.harm == Harm::None && fault.harm == Harm::Field))
       worst = fault;
   }
@@ -163,6 +172,8 @@ std::string curve_miscount(const Curve& c) {
 
 std::string rational_fault(
     const StepGeom_BSplineSurfaceWithKnotsAndRationalBSplineSurface& surface) {
+  if (surface.BSplineSurfaceWithKnots().IsNull() || surface.RationalBSplineSurface().IsNull())
+    return "it has no fields";
   std::string fault = surface_miscount(surface);
   const Handle(TColStd_HArray2OfReal) weights = surface.WeightsData();
   if (weights.IsNull()) return fault.empty() ? "it has no weights" : fault;
@@ -173,6 +184,8 @@ std::string rational_fault(
 }
 
 std::string rational_fault(const StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve& curve) {
+  if (curve.BSplineCurveWithKnots().IsNull() || curve.RationalBSplineCurve().IsNull())
+    return "it has no fields";
   std::string fault = curve_miscount(curve);
   const Handle(TColStd_HArray1OfReal) weights = curve.WeightsData();
   if (weights.IsNull()) return fault.empty() ? "it has no weights" : fault;
@@ -228,9 +241,10 @@ bool loses_unit(const Entity& entity, const Fault& fault) {
 
 Fault fault_of(const StepData_StepModel& model, int number) {
   const Handle(Interface_Check) check = model.Check(number, true);
-  Fault fault;
-  if (!check.IsNull() && check->HasFailed()) fault = loading_fault(*check);
   const Entity& entity = model.Value(number);
+  Fault fault;
+  if (!check.IsNull() && check->HasFailed())
+    fault = loading_fault(*check, is_complex(model, entity));
   if (loses_unit(entity, fault)) fault.cause += ": lengths or angles may be wrong";
   if (fault.harm == Harm::Field || !is_geometry(entity)) return fault;
   if (const std::string silent = silent_fault(*entity); !silent.empty())

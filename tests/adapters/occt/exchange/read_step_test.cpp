@@ -292,6 +292,18 @@ TEST(ReadingStep, RefusesTheOnlyFaceWhenWeightsOrKnotsAreNoGood) {
       << refusal(folder / "sheet.step");
 }
 
+TEST(ReadingStep, TakesComplexEntitiesWithAPartOfTheWrongLength) {
+  const Folder folder;
+  testing::write_content(folder / "sheet.step", replaced(rational_step(), "REPRESENTATION_ITEM('')",
+                                                         "REPRESENTATION_ITEM()"));
+  EXPECT_NE(refusal(folder / "sheet.step").find("it has no fields"), std::string::npos);
+  std::string text = rational_step();
+  const std::size_t item = text.find("REPRESENTATION_ITEM('')", text.find("BOUNDED_SURFACE("));
+  testing::write_content(folder / "sheet.step", text.replace(item, 23, "REPRESENTATION_ITEM()"));
+  EXPECT_EQ(faces_of(folder / "sheet.step"), 1);
+  EXPECT_EQ(read_model(folder / "sheet.step").reading().grade(), ReadingGrade::AttributesLost);
+}
+
 TEST(ReadingStep, RefusesFilesWithoutAShape) {
   const Folder folder;
   testing::write_content(folder / "none.step",
