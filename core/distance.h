@@ -42,6 +42,7 @@ struct HullBound {
   double margin = 0;         ///< how far outside of it a coordinate may be
   /// How far the border that trims leave may be from the curves of the set that stand for it.
   double border_gap = 0;
+  std::vector<Vec3> border_points{};  ///< these curves are in their box; empty: not known
 };
 
 /// Curves on the surfaces of a part along the border that its trims leave.

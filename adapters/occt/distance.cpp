@@ -88,6 +88,29 @@ double largest_edge_tolerance(const TopoDS_Shape& face) {
   return largest;
 }
 
+// Points in whose box a face's edges are, where it is placed; none if they are not known.
+std::vector<Vec3> points_of_edges(const TopoDS_Face& face, const gp_Trsf& place) {
+  std::vector<Vec3> hull;
+  for (TopExp_Explorer it(face, TopAbs_VERTEX); it.More(); it.Next()) {
+    const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(it.Current()));
+    hull.push_back({p.X(), p.Y(), p.Z()});
+  }
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    if (BRep_Tool::Degenerated(edge)) continue;  // a vertex
+    std::vector<Vec3> own;
+    if (!add_hull(edge, own)) return {};
+    own = placed_hull(std::move(own), edge.Location().Transformation()).points;
+    hull.insert(hull.end(), own.begin(), own.end());
+  }
+  if (!has_end(hull)) return {};
+  const HullBound placed = placed_hull(std::move(hull), place);
+  Box box;
+  for (const Vec3& p : placed.points) box = joined(box, {p, p});
+  const Vec3 margin{placed.margin, placed.margin, placed.margin};
+  return {box.low - margin, box.high + margin};
+}
+
 // Which spans of an edge its curves are.
 struct EdgeSpan {
   Interval place;
@@ -143,8 +166,10 @@ struct MeasuredShape::Impl {
     }
     for (int i = 0; i < static_cast<int>(faces.size()); ++i) {
       parts.hulls.push_back(face_hull(i));
-      parts.hulls.back().border_gap =
-          largest_edge_tolerance(shapes.faces()[static_cast<std::size_t>(i)].shape);
+      const PlacedShape& face = shapes.faces()[static_cast<std::size_t>(i)];
+      parts.hulls.back().border_gap = largest_edge_tolerance(face.shape);
+      parts.hulls.back().border_points =
+          points_of_edges(TopoDS::Face(face.shape), shapes.place_of(face));
     }
     for (int i = 0; i < static_cast<int>(shapes.edges().size()); ++i)
       // A degenerated one is a point: its vertex is there.

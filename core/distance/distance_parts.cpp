@@ -297,6 +297,16 @@ std::unique_ptr<DistanceParts::Made> DistanceParts::make(int part) const {
   return made;
 }
 
+std::optional<Box> DistanceParts::border_box(int part) const {
+  if (hulls_.empty() || is_point(part)) return {};
+  const HullBound& hull = hulls_[static_cast<std::size_t>(part - points())];
+  if (hull.border_points.empty()) return {};
+  const Vec3 gap{hull.border_gap, hull.border_gap, hull.border_gap};
+  Box box;
+  for (const Vec3& p : hull.border_points) box = joined(box, {p - gap, p + gap});
+  return box;
+}
+
 const DistanceParts::Border& DistanceParts::border(int part) const {
   Part& found = parts_[static_cast<std::size_t>(part)];
   std::call_once(found.border_once, [&] {

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "core/bounds/box_tree.h"
@@ -58,6 +59,8 @@ class DistanceParts {
                ? 0
                : hulls_[static_cast<std::size_t>(part - points())].border_gap;
   }
+  /// No point of the border is outside of it.
+  std::optional<Box> border_box(int part) const;
   struct Border {
     std::vector<DistanceItem> items;  ///< curves; empty if the border is not known any better
     double gap = 0;                   ///< how far it may be from them

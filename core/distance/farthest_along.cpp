@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct HeightPlace {
   int part = 0;
   int item = -1;
   bool on_border = false;  // the item is a curve of the part's border
+  bool left = false;       // to the part's border
   int depth = -1;          // halvings; while there is no net, -1
   bool inside = false;     // of the trims
   bool split_u = true;
@@ -107,6 +109,7 @@ class HeightSearch {
   }
 
   void open(const HeightPlace& place) {
+    if (place.left) return open_left(place);
     if (place.item < 0) return open_part(place);
     if (place.depth < 0) return open_item(place);
     open_cell(place);
@@ -116,8 +119,7 @@ class HeightSearch {
 
   void push_items(int part, const std::vector<DistanceItem>& items, bool on_border) {
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
-      const Box& box = items[static_cast<std::size_t>(i)].box;
-      const double height = sign_ > 0 ? box.high[axis_] : -box.low[axis_];
+      const double height = height_of(items[static_cast<std::size_t>(i)].box);
       push({.upper = height + kDistanceRounding * parts_.scale(),
             .part = part,
             .item = i,
@@ -147,18 +149,39 @@ class HeightSearch {
     push(cell);
   }
 
-  // It goes farthest on a border, which may be farther than the curves that stand for it. A curve
-  // of the border itself goes farthest at an end.
-  void leave_to_border(const HeightPlace& cell, double upper) {
-    double gap = parts_.border_gap(cell.part);
-    if (cell.on_border) gap = 0;
+  // It goes farthest on a border, which may be farther than the curves that stand for it. Borders
+  // take long to be made: where that matters, what may be farther is looked at first. A curve of
+  // the border itself goes farthest at an end.
+  void leave_to_border(HeightPlace& cell, double upper) {
+    if (cell.on_border) return drop(cell);
+    const double gap = parts_.border_gap(cell.part);
     if (gap > floor_ && !is_settled(upper)) {
-      if (open_border(cell.part))
-        gap = parts_.border(cell.part).gap;
-      else
-        reach_corner(cell);
+      cell.upper = std::min({cell.upper, upper, border_height(cell.part)});
+      cell.left = true;
+      return push(cell);
     }
-    if (!cell.on_border) border_upper_ = std::max(border_upper_, upper);
+    end_at_border(cell, upper, gap);
+  }
+
+  // The border of a part goes no farther.
+  double border_height(int part) const {
+    const std::optional<Box> box = parts_.border_box(part);
+    if (!box) return std::numeric_limits<double>::infinity();
+    return height_of(*box) + kDistanceRounding * parts_.scale();
+  }
+  double height_of(const Box& box) const { return sign_ > 0 ? box.high[axis_] : -box.low[axis_]; }
+
+  void open_left(const HeightPlace& cell) {
+    double gap = parts_.border_gap(cell.part);
+    if (open_border(cell.part))
+      gap = parts_.border(cell.part).gap;
+    else
+      reach_corner(cell);
+    end_at_border(cell, cell.upper, gap);
+  }
+
+  void end_at_border(const HeightPlace& cell, double upper, double gap) {
+    border_upper_ = std::max(border_upper_, upper);
     border_gap_ = std::max(border_gap_, gap);
     drop(cell);
   }

@@ -136,6 +136,32 @@ TEST(FarthestAlong, AllowsForBordersThatAreOffTheirCurves) {
   EXPECT_LE(known.upper, 0.995 + 1e-6);
 }
 
+// z = x up to 1 over the unit square, but for a border at 0.5, and 0.7 without.
+TEST(FarthestAlong, MakesNoBorderThatCurvesKeepFromComingAsFar) {
+  Grid<double> heights(2, 2, 0);
+  heights(1, 0) = heights(1, 1) = 1;
+  for (const bool known : {false, true}) {
+    int made = 0;
+    OperandParts parts;
+    parts.points = {{0.7, 0, 0.7}};
+    parts.hulls = {{.points = {{0, 0, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}}, .border_gap = 0.008}};
+    if (known) parts.hulls[0].border_points = {{0, 0, 0}, {0.5, 1, 0.5}};
+    parts.make = [&](int) { return DistanceOperand{{}, {}, {graph(heights)}}; };
+    parts.trims = [](int, const Vec2&, const Vec2& high) {
+      return high[0] < 0.5 ? TrimSide::Inside : TrimSide::Outside;
+    };
+    parts.borders = [&](int) {
+      ++made;
+      return BorderCurves{{{{{0.5, 0, 0.5, 1}, {0.5, 1, 0.5, 1}}}}, 0};
+    };
+    const FarthestResult found =
+        farthest_along(PreparedSet(std::move(parts)), 2, false, kUnknown, {.resolution = 1e-6});
+    EXPECT_EQ(found.lower, 0.7);
+    EXPECT_LE(found.upper, 0.7 + 1e-6);
+    EXPECT_EQ(made, known ? 0 : 1);
+  }
+}
+
 TEST(FarthestAlong, LooksAtNothingThatIsNoFartherThanWhatIsKnown) {
   const FarthestResult found = farthest_along(PreparedSet(measured(dome())), 2, false, 5);
   EXPECT_EQ(found.cells, 0);
