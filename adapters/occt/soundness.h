@@ -61,6 +61,9 @@ std::vector<Problem> wire_problems(const TopoDS_Face& face);
 /// the face may end.
 bool has_open_wire(const TopoDS_Face& face);
 
+/// Whether a face without a wire is all of a surface that has no end.
+bool is_endless(const TopoDS_Face& face);
+
 /// Lengths in model units; gaps as in `EdgeGaps`, the largest over all uses of the edge.
 struct EdgeSoundness {
   int number = 0;  ///< 1-based, in the order of TopExp::MapShapes

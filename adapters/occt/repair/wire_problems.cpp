@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Degenerate and self-touching wires, by the common points of their pcurves.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
 
 #include <BRep_Tool.hxx>
+#include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -148,6 +150,14 @@ bool has_open_wire(const TopoDS_Face& face) {
   for (TopoDS_Iterator it(face); it.More(); it.Next())
     if (it.Value().ShapeType() == TopAbs_WIRE && is_open(it.Value())) return true;
   return false;
+}
+
+bool is_endless(const TopoDS_Face& face) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (surface.IsNull() || TopoDS_Iterator(face).More()) return false;
+  std::array<double, 4> bounds{};
+  surface->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+  return std::ranges::any_of(bounds, [](double at) { return Precision::IsInfinite(at); });
 }
 
 std::vector<Problem> wire_problems(const TopoDS_Face& face) {

@@ -23,6 +23,7 @@
 #include "plugin/meshes/mesh_files.h"
 #include "plugin/nets/net_json.h"
 #include "plugin/reports/models/repairs.h"
+#include "plugin/reports/text/words.h"
 
 namespace blossom::cli {
 namespace {
@@ -203,6 +204,19 @@ Input read_input(const std::string& text, Faces need, reports::Repairing repair,
   input.repairs = name.is_whole() ? model->repair(stop_if_interrupted)
                                   : model->repair(input.numbers, stop_if_interrupted);
   tell(input.repairs, name.file);
+  return input;
+}
+
+Input read_usable_input(const std::string& text, Faces need, reports::Repairing repair,
+                        reports::LooseFaces loose) {
+  Input input = read_input(text, need, repair, loose);
+  std::vector<std::string> dropped;
+  for (const int number : reports::drop_open_faces(input))
+    dropped.push_back(std::to_string(number));
+  if (!dropped.empty())
+    note(text + (dropped.size() == 1 ? ": face " : ": faces ") + reports::listed(dropped, "and") +
+         (dropped.size() == 1 ? " has" : " have") + " lost a border and " +
+         (dropped.size() == 1 ? "is" : "are") + " left out");
   return input;
 }
 

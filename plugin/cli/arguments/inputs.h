@@ -56,6 +56,12 @@ Input read_input(const std::string& text, Faces need = Faces::Required,
                  reports::Repairing repair = reports::Repairing::Used,
                  reports::LooseFaces loose = reports::LooseFaces::Sewn);
 
+/// For what looks at one face after the other: without those that a damaged file has left without a
+/// border, which a line names, unless the user names faces.
+Input read_usable_input(const std::string& text, Faces need = Faces::Required,
+                        reports::Repairing repair = reports::Repairing::Used,
+                        reports::LooseFaces loose = reports::LooseFaces::Sewn);
+
 /// What becomes of the parts that an input does not name.
 enum class OtherParts { LeftOut, Kept };
 

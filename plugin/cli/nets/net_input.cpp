@@ -44,8 +44,9 @@ NetInput read_net_input(const std::string& text, Take take) {
     return input;
   }
   const bool edges = take == Take::Edges;
-  input.model.emplace(read_input(text, edges ? Faces::Optional : Faces::Required,
-                                 reports::Repairing::Used, reports::LooseFaces::Kept));
+  const auto read = edges ? read_input : read_usable_input;
+  input.model.emplace(read(text, edges ? Faces::Optional : Faces::Required,
+                           reports::Repairing::Used, reports::LooseFaces::Kept));
   input.nets = edges ? nets::nets_of_edges(*input.model, name.is_whole(), stop_if_interrupted)
                      : nets::nets_of_faces(*input.model, stop_if_interrupted);
   return input;

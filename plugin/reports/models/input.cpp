@@ -2,8 +2,10 @@
 #include "plugin/reports/models/input.h"
 
 #include <cstddef>
+#include <utility>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/reading.h"
 #include "adapters/occt/soundness.h"
 
 namespace blossom::reports {
@@ -18,6 +20,23 @@ void refuse_open_wires(const Input& input) {
     if (occt::has_open_wire(input.faces[i]))
       throw occt::BadModel(input.name + ": a wire of face " + std::to_string(input.numbers[i]) +
                            " is open and encloses nothing; `blossom check` lists what is wrong");
+}
+
+std::vector<int> drop_open_faces(Input& input) {
+  const bool damaged = input.model.reading().grade() == occt::ReadingGrade::ShapesLost;
+  if (!damaged || static_cast<int>(input.numbers.size()) < input.model.face_count()) return {};
+  std::vector<int> kept, dropped;
+  std::vector<TopoDS_Face> faces;
+  for (std::size_t i = 0; i < input.faces.size(); ++i) {
+    const TopoDS_Face& face = input.faces[i];
+    const bool is_open = occt::has_open_wire(face) || occt::is_endless(face);
+    (is_open ? dropped : kept).push_back(input.numbers[i]);
+    if (!is_open) faces.push_back(face);
+  }
+  if (kept.empty()) return {};
+  input.numbers = std::move(kept);
+  input.faces = std::move(faces);
+  return dropped;
 }
 
 std::string given_name(const std::string& part) { return part.starts_with(kNoName) ? "" : part; }

@@ -43,6 +43,11 @@ struct Input {
 /// throws   occt::BadModel, with the file and the face, if a wire that bounds a face is open
 void refuse_open_wires(const Input& input);
 
+/// Takes the faces out of the input of a damaged file that have lost a border: their wires are
+/// open, or they have none and no end. None if the user names faces, or if no other face is left.
+/// returns  their numbers
+std::vector<int> drop_open_faces(Input& input);
+
 /// The name of a part, or of a face; empty if it is only what Open CASCADE's writer puts there for
 /// none.
 std::string given_name(const std::string& part);

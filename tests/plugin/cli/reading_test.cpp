@@ -85,6 +85,17 @@ TEST_F(Reading, DamagedFacesOnWhichOpenCascadeCrashesAreLeftOut) {
   EXPECT_EQ(report_of("loop.step")["counts"]["faces"], 1);
 }
 
+TEST_F(Reading, FacesThatHaveLostABorderAreLeftOutAndTold) {
+  std::string text = testing::text_of(folder / "whole.step");
+  const std::size_t used = text.find('#', text.rfind("ORIENTED_EDGE("));
+  testing::write_text(folder / "open.step", text.replace(used, text.find(',', used) - used, "$"));
+  EXPECT_EQ(report_of("open.step")["counts"]["faces"], 2);
+  const Finished run = blossom({"intersect", folder / "open.step", folder / "floor.brep"});
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.err.find("open.step: face 2 has lost a border and is left out"), std::string::npos)
+      << run.err;
+}
+
 TEST_F(Reading, NoStatusIsBetterThanToleranceThen) {
   const std::string floor = folder / "floor.brep";
   const Finished whole =

@@ -37,10 +37,10 @@ int run(const IntersectCommand& options) {
     return run_mesh_intersection(options.a, options.b, options.intersect.common);
   check_files(options.intersect.common, {options.a, options.b});
   start_threads(options.intersect.engine.threads);
-  const Input a =
-      read_input(options.a, Faces::Required, reports::Repairing::Used, reports::LooseFaces::Kept);
-  const Input b =
-      read_input(options.b, Faces::Required, reports::Repairing::Used, reports::LooseFaces::Kept);
+  const Input a = read_usable_input(options.a, Faces::Required, reports::Repairing::Used,
+                                    reports::LooseFaces::Kept);
+  const Input b = read_usable_input(options.b, Faces::Required, reports::Repairing::Used,
+                                    reports::LooseFaces::Kept);
   stop_if_interrupted();
   const TimedIntersection result = timed_intersection(
       options.intersect,

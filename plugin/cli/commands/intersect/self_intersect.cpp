@@ -46,7 +46,7 @@ int run_on_many(const CLI::App& command, const SelfIntersectCommand& options) {
 int run(const SelfIntersectCommand& options) {
   check_files(options.intersect.common, options.inputs);
   start_threads(options.intersect.engine.threads);
-  const Input input = read_input(options.inputs.front());
+  const Input input = read_usable_input(options.inputs.front());
   stop_if_interrupted();
   const auto scope = options.all_faces ? occt::SelfScope::AllFaces : occt::SelfScope::EachFace;
   const TimedIntersection result =

@@ -11,7 +11,7 @@ std::string QuerySide::displayed_surface() const {
   if (faces == 0) return {};
   const std::string taken = "taken as a surface, which has no inside: ";
   if (input.solids.empty() && static_cast<int>(input.faces.size()) < input.model.face_count())
-    return "  " + input.name + " is " + taken + "it names some faces of the model\n";
+    return "  " + input.name + " is " + taken + "it is some faces of the model\n";
   if (solids() == 0) return "  " + input.name + " is " + taken + "it has no closed solid\n";
   return "  " + counted(static_cast<std::size_t>(faces), "face") + " of " + input.name +
          " in no closed solid " + (faces == 1 ? "is " : "are ") + taken +

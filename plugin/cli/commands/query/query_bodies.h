@@ -17,7 +17,8 @@ namespace blossom::cli {
 
 /// One model of a question.
 struct QuerySide : reports::MeasuredInput {
-  explicit QuerySide(const std::string& name) : MeasuredInput(read_input(name, Faces::Optional)) {}
+  explicit QuerySide(const std::string& name)
+      : MeasuredInput(read_usable_input(name, Faces::Optional)) {}
 
   std::string text(const occt::ShapePoint& place) const;
 

@@ -67,7 +67,7 @@ std::string text_of(const Input& input, const reports::MassAnswer& answer, doubl
 
 int run(const MassCommand& options) {
   check_files(options.common, {options.input});
-  const Input input = read_input(options.input);
+  const Input input = read_usable_input(options.input);
   stop_if_interrupted();
   enter(Phase::Working, "measuring masses of " + input.name);
   const Stopwatch watch;

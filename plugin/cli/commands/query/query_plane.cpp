@@ -160,7 +160,7 @@ int run(const PlaneCommand& options) {
   answer.plane = plane_of(options);
   if (is_mesh_input(options.input))
     return run_mesh_sections(options.input, {{answer.plane, "section", {}}}, options.common);
-  const Input input = read_input(options.input);
+  const Input input = read_usable_input(options.input);
   stop_if_interrupted();
   {
     Progress progress("cutting");

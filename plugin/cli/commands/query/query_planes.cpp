@@ -190,7 +190,7 @@ void write_parts(const Input& input, const NamedPlane& plane, const EngineOption
 
 int run_planes(const std::string& name, std::vector<NamedPlane> planes, const CommonOptions& common,
                const EngineOptions& engine) {
-  const Input input = read_input(name);
+  const Input input = read_usable_input(name);
   stop_if_interrupted();
   const SectionsAnswer answer = cut(input, planes, engine);
   stop_if_interrupted();

@@ -70,7 +70,7 @@ int run(const RayCommand& options) {
                             .first_only = options.first,
                             .tolerance = options.common.tolerance};
   check_files(options.common, {options.input});
-  const Input input = read_input(options.input);
+  const Input input = read_usable_input(options.input);
   stop_if_interrupted();
   const Stopwatch watch;
   const std::function<bool()> cancelled = interrupted;
