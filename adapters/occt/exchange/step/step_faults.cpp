@@ -97,6 +97,7 @@ struct Fault {
   std::string cause;
   Harm harm = Harm::None;
   bool unresolved = false;  ///< it refers to an entity that is not in the file
+  bool arbitrary = false;   ///< Open CASCADE takes what is in its memory for a number
 };
 
 constexpr std::string_view kCountFault = "Count of Parameters is not ";
@@ -119,7 +120,8 @@ Fault in_words(std::string_view fail) {
   if (fail.find("illegal type") != npos) return {field + " is of another kind", Harm::Field};
   if (fail.find("not an Entity") != npos) return {field + " is missing", Harm::Field};
   for (const char* number : {"Real", "Integer", "number"})
-    if (fail.find(std::string(" ") + number) != npos) return {field + " is no number", Harm::Field};
+    if (fail.find(std::string(" ") + number) != npos)  // 0 of coordinates
+      return {field + " is no number", Harm::Field, false, field != "coordinates"};
   for (const char* list : {"LIST", "List", "list", "Count"})
     if (fail.find(list) != npos) return {field + " is no list of the right length", Harm::Field};
   return {field + " cannot be read"};
@@ -433,7 +435,7 @@ class Damage {
   /// What is damaged in a face may be mended for another, so it is decided when all is known.
   StepDamage decide(const FaceChoice& keeps) {
     for (DamagedFace& damaged : faces_) {
-      if (keeps(damaged.face)) {
+      if (!arbitrary_.contains(damaged.face.get()) && keeps(damaged.face)) {
         damage_.kept.push_back(std::move(damaged));
         continue;
       }
@@ -447,6 +449,7 @@ class Damage {
  private:
   void add_face(const Handle(StepShape_FaceSurface) & face, const Entity& entity,
                 const Fault& fault) {
+    if (fault.arbitrary) arbitrary_.insert(face.get());
     if (!seen_.insert(face.get()).second) return;
     Loss loss{"face", owners_.type(entity) + ": " + fault.cause, true};
     loss.which.push_back(owners_.label(face) + " by " + owners_.label(entity));
@@ -459,7 +462,7 @@ class Damage {
   ReadingReport& report_;
   StepDamage damage_;
   std::vector<DamagedFace> faces_;
-  Entities seen_;
+  Entities seen_, arbitrary_;
 };
 
 /// What a shape is used by on the way to its product.

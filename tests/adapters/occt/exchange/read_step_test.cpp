@@ -197,6 +197,15 @@ TEST(ReadingStep, LeavesOutDamagedFacesThatWouldTakeOthersAlong) {
   EXPECT_FALSE(tells(model, "made of what is left"));
 }
 
+TEST(ReadingStep, LeavesOutDamagedFacesWithNumbersThatAreNone) {
+  const std::string text = sample(".step");
+  const std::size_t end = text.find(");", text.find("VECTOR(")), length = text.rfind(',', end);
+  const Model model = read_damaged("VECTOR(", text.substr(length, end - length), ",$");
+  EXPECT_EQ(model.face_count(), 16);
+  EXPECT_TRUE(tells(model, "VECTOR: magnitude is no number"));
+  EXPECT_FALSE(tells(model, "made of what is left"));
+}
+
 TEST(ReadingStep, TakesEntitiesWithTooManyFieldsForEmpty) {
   const Model model = read_damaged("ADVANCED_FACE(", ");", ",$);");
   EXPECT_EQ(model.face_count(), 17);
