@@ -45,7 +45,7 @@ Body body_of(const TopoDS_Shape& shape, int solid) {
   return {shape, solid, static_cast<int>(parts_of(shape, TopAbs_FACE).size())};
 }
 
-// A point of a part; of a face or edge not at its ends. None if Open CASCADE finds none.
+// A point of a part; of a face or edge not at its ends. None if there is none.
 std::optional<gp_Pnt> point_of(const TopoDS_Shape& part) {
   if (part.ShapeType() == TopAbs_FACE) return point_inside(TopoDS::Face(part));
   if (part.ShapeType() == TopAbs_VERTEX) return BRep_Tool::Pnt(TopoDS::Vertex(part));

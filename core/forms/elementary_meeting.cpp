@@ -8,8 +8,9 @@
 namespace blossom {
 namespace {
 
-// Sine of the angle between a plane and an axis, or of a plane's and a cone's slope, below which
-// the ellipse is so long that its ends are nowhere.
+// Sine of the angle between a plane and an axis, of a plane's and a cone's slope, or of two axes,
+// below which the ellipse is so long that its ends are nowhere; of lines in a half plane likewise
+// below which they hardly cross.
 constexpr double kMinSine = 1e-3;
 
 using Known = std::optional<ElementaryMeeting>;
@@ -131,7 +132,10 @@ void meet(const ProfileLine& a, const ProfileCircle& b, double contact, Profile&
 // Of circles one of which the other one may lie in.
 void meet(const ProfileCircle& a, const ProfileCircle& b, double contact, Profile& profile) {
   const double apart = distance(a.centre, b.centre);
-  if (apart <= contact) return;
+  if (apart <= contact) {  // too near to say where they cross, if they do
+    profile.open = profile.open || std::abs(a.radius - b.radius) <= apart + contact;
+    return;
+  }
   const Vec2 towards = (1 / apart) * (b.centre - a.centre);
   const double outside = apart - a.radius - b.radius;
   const double inside = std::abs(a.radius - b.radius) - apart;
@@ -297,7 +301,8 @@ Known plane_through_apex(const Elementary& plane, const Elementary& cone, const 
 // falls, it goes from one to the other of the rulings along cos(angle) A +- sin(angle) E, at the
 // distances t from the apex where these are in the plane; half way between its ends the cone is
 // sin(angle) sqrt(t t') wide.
-Known plane_round_cone(const Elementary& plane, const Elementary& cone, double height) {
+Known plane_round_cone(const Elementary& plane, const Elementary& cone, double height,
+                       double contact) {
   const double cosine = dot(plane.axis, cone.axis), sign = cosine < 0 ? -1 : 1;
   const Vec3 slope = across(sign * plane.axis, cone.axis);
   const double tilt = std::atan2(norm(slope), std::abs(cosine));
@@ -307,11 +312,16 @@ Known plane_round_cone(const Elementary& plane, const Elementary& cone, double h
   const double far = sign * height / std::cos(tilt + cone.angle);
   const double c = std::cos(cone.angle), s = std::sin(cone.angle);
   const Vec3 first = near * (c * cone.axis + s * e), last = far * (c * cone.axis - s * e);
+  const double minor = s * std::sqrt(near * far), major = 0.5 * distance(first, last);
+  const Vec3 centre = cone.centre + 0.5 * (first + last);
+  if (minor <= contact) {
+    if (major > contact) return {};
+    return ElementaryMeeting{{}, {{centre, major}}};
+  }
   const Vec3 x = unit(last - first);
+  // Of nearly parallel planes the longer one may come out shorter by rounding.
   return ElementaryMeeting{
-      {{{ConicKind::Ellipse, cone.centre + 0.5 * (first + last), x, cross(plane.axis, x),
-         0.5 * distance(first, last), s * std::sqrt(near * far)}}},
-      {}};
+      {{{ConicKind::Ellipse, centre, x, cross(plane.axis, x), std::max(major, minor), minor}}}, {}};
 }
 
 Known plane_and_cone(const Elementary& plane, const Elementary& cone, const Ball& ball,
@@ -329,7 +339,7 @@ Known plane_and_cone(const Elementary& plane, const Elementary& cone, const Ball
   }
   if (std::abs(height) <= limits.exact) return plane_through_apex(plane, cone, ball, limits);
   if (std::abs(height) <= limits.contact) return {};  // a point, or nearly
-  return plane_round_cone(plane, cone, height);
+  return plane_round_cone(plane, cone, height, limits.contact);
 }
 
 Known plane_and_torus(const Elementary& plane, const Elementary& torus,
@@ -394,9 +404,10 @@ Known two_spheres(const Elementary& a, const Elementary& b, const MeetingLimits&
 Known crossing_cylinders(const Elementary& a, const Elementary& b, const MeetingLimits& limits) {
   const Vec3 normal = cross(a.axis, b.axis), between = b.centre - a.centre;
   const double sine = norm(normal);
-  if (sine < kMinSine || std::abs(a.radius - b.radius) > limits.exact) return {};
+  if (sine < kMinSine) return {};
   const Vec3 y = (1 / sine) * normal;
-  if (std::abs(dot(between, y)) > limits.exact) return {};
+  const double gap = std::max(std::abs(a.radius - b.radius), std::abs(dot(between, y)));
+  if (gap > limits.exact) return {};
   const double along = dot(cross(between, b.axis), y) / sine;
   const Vec3 centre = a.centre + along * a.axis;
   ElementaryMeeting made;
@@ -406,7 +417,7 @@ Known crossing_cylinders(const Elementary& a, const Elementary& b, const Meeting
     made.curves.push_back(
         {{ConicKind::Ellipse, centre, cross(y, across_plane), y, major, a.radius}});
     made.curves.back().nodes = {0.5 * std::numbers::pi, 1.5 * std::numbers::pi};
-    made.nodes.push_back(centre + sign * a.radius * y);
+    made.nodes.push_back({centre + sign * a.radius * y, gap, std::sqrt(2 * a.radius * gap)});
   }
   return made;
 }

@@ -33,10 +33,17 @@ struct MeetingPoint {
   double gap = 0;
 };
 
+/// A point in which curves cross: the surfaces touch there.
+struct MeetingNode {
+  Vec3 point;
+  double gap = 0;    ///< of the surfaces, where axes and radii count as one that differ
+  double reach = 0;  ///< so far off the point may curves then bend from one branch to the other
+};
+
 struct ElementaryMeeting {
   std::vector<MeetingCurve> curves;
   std::vector<MeetingPoint> points;
-  std::vector<Vec3> nodes{};  ///< where curves cross: the surfaces touch there
+  std::vector<MeetingNode> nodes{};
 };
 
 /// The whole intersection of two surfaces in a ball.

@@ -13,7 +13,10 @@ namespace blossom {
 /// the widest stretch inside, and then the stretch across it.
 ///
 /// returns   chart coordinates; nothing of a face without a stretch that numbers can tell
-/// cost      of some lines: a few boxes for each span that one meets
+/// cost      of some lines, mostly three and as many across: for each span that one meets some
+/// boxes, as
+///           many as halvings tell where; of faces too thin for the width of double numbers some
+///           hundred lines
 std::optional<Vec2> inner_point(const FaceTrims& trims);
 
 }  // namespace blossom

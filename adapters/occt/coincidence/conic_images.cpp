@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <Geom_Surface.hxx>
 
@@ -16,7 +15,6 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kSamples = 64;      // of a conic, to see where it passes seams
 constexpr double kAside = 0.3;    // of a step: keeps samples off symmetric places, where seams are
 constexpr int kHalvings = 60;     // of the interval between two samples

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "core/results/result.h"
 
 namespace blossom::occt {
+
+inline constexpr double kTurn = 2 * std::numbers::pi;  ///< of an angle, radians
 
 /// A surface with the middle of the rectangle of its parameters that counts: where it is periodic,
 /// one period round the middle counts, and the rectangle has its seam there if it is all of it.

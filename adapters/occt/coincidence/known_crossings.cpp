@@ -22,8 +22,6 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kWholeTurn = 2 * std::numbers::pi;
-constexpr double kWidest = kWholeTurn;  // of a range of parameters
 constexpr const char* kContact = "the surfaces touch, or nearly, in the listed contacts";
 
 // The parameters of a line at which it is in a ball that holds the box; empty if it misses it.
@@ -38,7 +36,7 @@ Interval inside(const Box& box, const Conic& line) {
 }
 
 // Where a circle or an ellipse is beyond the sides of a box that it crosses: one interval of its
-// parameter for each, which begins in [-pi, 3 pi). All of it, if it is beyond one side.
+// parameter for each, within a turn and a half round 0. All of it, if it is beyond one side.
 std::vector<Interval> arcs_beyond(const Box& box, const Conic& conic) {
   const double beside = kBeyondBox * diagonal(box);
   std::vector<Interval> beyond;
@@ -59,7 +57,7 @@ std::vector<Interval> arcs_beyond(const Box& box, const Conic& conic) {
 double begin_of_gap(const std::vector<Interval>& gaps, const Interval& last) {
   double begin = last.from;
   const auto covers = [&](const Interval& gap) {
-    const double into = std::remainder(begin - gap.from - length(gap) / 2, kWholeTurn);
+    const double into = std::remainder(begin - gap.from - length(gap) / 2, kTurn);
     return std::abs(into) <= length(gap) / 2 ? into + length(gap) / 2 : 0;
   };
   for (std::size_t i = 0; i < gaps.size(); ++i)
@@ -75,8 +73,8 @@ Interval inside_closed(const Box& box, const Conic& conic) {
     const Interval gap{begin_of_gap(beyond, last), last.to};
     if (length(gap) > length(longest)) longest = gap;
   }
-  if (length(longest) >= kWholeTurn) return {1, 0};
-  return {longest.to, longest.from + kWholeTurn};
+  if (length(longest) >= kTurn) return {1, 0};
+  return {longest.to, longest.from + kTurn};
 }
 
 Interval range_of(const Conic& conic, const Box& box) {
@@ -94,7 +92,7 @@ void widen_charts(const Handle(Geom_Surface) & surface, const Vec2& uv, double r
   const SurfaceJet frame = frame_at(surface, uv);
   for (int d = 0; d < 2; ++d) {
     const double size = norm(d == 0 ? frame.du : frame.dv);
-    const double beside = std::min(reach / std::max(size, kNotZero), kWidest);
+    const double beside = std::min(reach / std::max(size, kNotZero), kTurn);
     ranges[d] = {uv[d] - beside, uv[d] + beside};
   }
 }
@@ -133,9 +131,10 @@ class KnownCrossings {
     found_.places.push_back(place->second);
   }
 
-  void add_node(const Vec3& known) {
-    const auto place = place_at(known, PlaceKind::Node, 0);
+  void add_node(const MeetingNode& known) {
+    const auto place = place_at(known.point, PlaceKind::Node, known.gap, known.reach);
     if (!place) return;
+    judge(known.gap);
     found_.nodes.push_back(place->first);
     found_.places.push_back(place->second);
   }
@@ -154,12 +153,12 @@ class KnownCrossings {
  private:
   // Nothing if it is proven to be outside of the trims.
   std::optional<std::pair<SurfacePoint, Place>> place_at(const Vec3& point, PlaceKind kind,
-                                                         double gap) const {
+                                                         double gap, double reach = 0) const {
     const SurfacePoint at{point, in_sheet(*sheets_[0], sheets_[0]->feet.foot(point, {})),
                           in_sheet(*sheets_[1], sheets_[1]->feet.foot(point, {}))};
-    Place place = place_of({at}, kind, gap, tolerance_);
+    Place place = place_of({at}, kind, gap, reach + tolerance_);
     for (std::size_t k = 0; k < 2; ++k)
-      widen_charts(sheets_[k]->feet.surface(), k == 0 ? at.uv_a : at.uv_b, gap + tolerance_,
+      widen_charts(sheets_[k]->feet.surface(), k == 0 ? at.uv_a : at.uv_b, gap + reach + tolerance_,
                    &place.parameters[2 * k]);
     for (std::size_t k = 0; k < 2; ++k)
       if (part_side(*trims_[k], place.parameters[2 * k], place.parameters[2 * k + 1]) ==
@@ -231,7 +230,7 @@ std::optional<SurfaceIntersection> known_crossings(const TopoDS_Face& face_a, co
   for (const MeetingCurve& curve : known->curves)
     if (!crossings.add(curve)) return {};
   for (const MeetingPoint& point : known->points) crossings.add(point);
-  for (const Vec3& node : known->nodes) crossings.add_node(node);
+  for (const MeetingNode& node : known->nodes) crossings.add_node(node);
   return std::move(crossings).result();
 }
 

@@ -129,8 +129,8 @@ TEST(ElementaryMeeting, EqualCylindersThatCrossDoSoInEllipsesOnBoth) {
       expect_on(b, curve.conic);
       ASSERT_EQ(curve.nodes.size(), 2u);
       for (const double t : curve.nodes)
-        EXPECT_LE(std::min(distance(point_at(curve.conic, t), found->nodes[0]),
-                           distance(point_at(curve.conic, t), found->nodes[1])),
+        EXPECT_LE(std::min(distance(point_at(curve.conic, t), found->nodes[0].point),
+                           distance(point_at(curve.conic, t), found->nodes[1].point)),
                   1e-14);
     }
   }
@@ -138,7 +138,7 @@ TEST(ElementaryMeeting, EqualCylindersThatCrossDoSoInEllipsesOnBoth) {
 
 TEST(ElementaryMeeting, PlanesThatTiltLessThanAConeCutItInAnEllipse) {
   for (const double angle : {0.1, 0.8, 1.3})
-    for (const double tilt : {1e-5, 0.1, 0.2})
+    for (const double tilt : {1e-9, 1e-8, 3e-8, 1e-5, 0.1, 0.2})
       for (const double height : {-2.0, 1.0}) {
         const Elementary plane = plane_at(height, {std::sin(tilt), 0, std::cos(tilt)});
         const Elementary cone = cone_of(angle, {0.1, 0.2, 0.3});
@@ -150,6 +150,31 @@ TEST(ElementaryMeeting, PlanesThatTiltLessThanAConeCutItInAnEllipse) {
         expect_on(plane, conic);
         expect_on(cone, conic);
       }
+}
+
+// The branches of cylinders that miss each other's axis by d pass the node at sqrt(2 r d).
+TEST(ElementaryMeeting, NodesOfCylindersThatAreOneWithinTheLimitSayHowFarTheyReach) {
+  const auto found = elementary_meeting(cylinder_of(100),
+                                        cylinder_of(100, {0, 9e-11, 0}, {1, 0, 0}), kHere, kLimits);
+  ASSERT_TRUE(found.has_value());
+  ASSERT_EQ(found->nodes.size(), 2u);
+  EXPECT_NEAR(found->nodes[0].gap, 9e-11, 1e-15);
+  EXPECT_NEAR(found->nodes[0].reach, std::sqrt(2 * 100 * 9e-11), 1e-9);
+}
+
+TEST(ElementaryMeeting, EllipsesNoWiderThanAContactArePoints) {
+  const Elementary plane = plane_at(2e-6, {std::sin(0.1), 0, std::cos(0.1)});
+  const auto found = elementary_meeting(cone_of(0.01), plane, kHere, kLimits);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_TRUE(found->curves.empty());
+  ASSERT_EQ(found->points.size(), 1u);
+  EXPECT_GT(found->points[0].gap, 1e-8);
+}
+
+TEST(ElementaryMeeting, SaysNothingOfToriThatAreNearlyOne) {
+  Elementary moved = torus_of(5, 1.00000005);
+  moved.centre = {0, 0, 9e-8};
+  EXPECT_FALSE(elementary_meeting(torus_of(5, 1), moved, kHere, kLimits));
 }
 
 TEST(ElementaryMeeting, SaysNothingOfOtherPositions) {

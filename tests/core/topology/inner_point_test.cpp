@@ -35,6 +35,30 @@ TEST(InnerPoint, IsFoundInSliversOfAnySlope) {
     }
 }
 
+// Far from the origin neighbours among the numbers are farther apart than such a face is wide.
+TEST(InnerPoint, IsNotLookedForBetweenNeighbouringNumbers) {
+  for (const double at : {0.0, 1e6, 1e9})
+    for (const double width : {1e-8, 1e-12, 0.0}) {
+      FlatLoops loops;
+      const int left = loops.add_vertex({at, at}), right = loops.add_vertex({at + 12, at + 5});
+      const PlanarBezier below{{{at, at, 1}, {at + 6, at + 2.5, 1}, {at + 12, at + 5, 1}}};
+      const PlanarBezier above{{{at + 12, at + 5, 1}, {at + 6, at + 2.5 + width, 1}, {at, at, 1}}};
+      loops.loops.push_back({loops.coedge(PlanarCurve{{{below, {0, 1}}}}, left, right),
+                             loops.coedge(PlanarCurve{{{above, {0, 1}}}}, right, left)});
+      const FaceTrims trims = trims_of(std::move(loops));
+      const auto point = inner_point(trims);
+      EXPECT_TRUE(!point || is_inside(trims, *point));
+    }
+}
+
+TEST(InnerPoint, IsNotOnBordersThatRunAlongTheLines) {
+  FlatLoops loops;
+  const int left = loops.add_vertex({0, 0}), right = loops.add_vertex({4, 0});
+  loops.loops.push_back({loops.coedge(planar_line({0, 0}, {4, 0}, {0, 1}), left, right),
+                         loops.coedge(planar_line({4, 0}, {0, 0}, {0, 1}), right, left)});
+  EXPECT_FALSE(inner_point(trims_of(std::move(loops))).has_value());
+}
+
 TEST(InnerPoint, IsFoundBetweenManyHoles) {
   FlatLoops loops;
   loops.add_polygon(kSquare4);
