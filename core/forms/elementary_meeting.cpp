@@ -307,7 +307,7 @@ Known plane_round_cone(const Elementary& plane, const Elementary& cone, double h
   const Vec3 slope = across(sign * plane.axis, cone.axis);
   const double tilt = std::atan2(norm(slope), std::abs(cosine));
   if (std::cos(tilt + cone.angle) < kMinSine) return {};
-  const Vec3 e = unit(slope);
+  const Vec3 e = unit(across(unit(slope), cone.axis));  // what is short is across within rounding
   const double near = sign * height / std::cos(tilt - cone.angle);
   const double far = sign * height / std::cos(tilt + cone.angle);
   const double c = std::cos(cone.angle), s = std::sin(cone.angle);

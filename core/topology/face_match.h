@@ -24,9 +24,8 @@ struct FaceMatch {
 /// of the trims (`core/forms/surface_match.h`) and of the wires in the charts. Orientations do not
 /// matter, nor the directions in which edges run.
 ///
-/// within    largest difference that counts as none, model units; the `error` of the surfaces,
-/// which
-///           are approximations then, comes on top and is in the match's gap
+/// within    largest difference that counts as none, model units; where the surfaces are
+///           approximations, their `error` comes on top and is in the match's gap
 /// returns   nothing too of equal faces that are described in different ways
 std::optional<FaceMatch> match(const FaceData& a, const FaceData& b, double within);
 

@@ -17,12 +17,34 @@
 namespace blossom {
 namespace {
 
-constexpr int kTurnHalvings = 10;  // of a span, for pieces that go on in one direction
-constexpr int kPairHalvings = 30;  // of two pieces together
+// Of a curve over [0, 1]: its pieces are then as short as parameters near 1 are rounded.
+constexpr int kHalvings = 52;
+// A choice: at some 0.3 us each they take as long as BRepCheck takes for an edge, about.
+constexpr std::size_t kTestsPerSpan = 1000;
 // Radians between cones. A choice: a gap of rounding stays far below any tolerance.
 constexpr double kMinAngle = 1e-2;
-// Of lengths by the chart's derivatives at a corner: so near it they hardly change.
+// A choice, of lengths by the chart's derivatives at a corner: where these grow by more in the
+// reach of the vertex, by samples, nothing is said.
 constexpr double kLengthMargin = 2;
+
+// How many tests of pieces are left for a face. Curves that run beside each other just over the
+// margin would take as many as they are longer than it.
+class TestBudget {
+ public:
+  explicit TestBudget(std::size_t spans) : left_(kTestsPerSpan * spans) {}
+
+  bool spend() { return left_ > 0 && left_-- > 0; }
+
+ private:
+  std::size_t left_;
+};
+
+TestBudget budget_of(const FaceTrims& trims) {
+  std::size_t spans = 0;
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) spans += coedge.curve.spans.size();
+  return TestBudget(spans);
+}
 
 // A part of a loop in the order of its walk.
 struct LoopPiece {
@@ -53,14 +75,17 @@ bool goes_on(const PlanarBezier& curve) {
   return true;
 }
 
-// False if that many halvings do not do.
-bool add_pieces(const PlanarBezier& curve, int vertex, int halvings, std::vector<LoopPiece>& all) {
+// False if that many halvings do not do, as at a cusp, or no test is left.
+bool add_pieces(const PlanarBezier& curve, int vertex, int halvings, TestBudget& tests,
+                std::vector<LoopPiece>& all) {
+  if (!tests.spend()) return false;
   if (goes_on(curve)) {
     all.push_back(piece_of(curve, vertex));
     return true;
   }
-  return halvings > 0 && add_pieces(bezier_piece(curve, {0, 0.5}), vertex, halvings - 1, all) &&
-         add_pieces(bezier_piece(curve, {0.5, 1}), -1, halvings - 1, all);
+  return halvings > 0 &&
+         add_pieces(bezier_piece(curve, {0, 0.5}), vertex, halvings - 1, tests, all) &&
+         add_pieces(bezier_piece(curve, {0.5, 1}), -1, halvings - 1, tests, all);
 }
 
 PlanarPath path_of(const Coedge& coedge) {
@@ -96,14 +121,17 @@ bool boxes_part(const PlanarBox& a, const PlanarBox& b, double margin) {
   return false;
 }
 
-bool are_apart(const PlanarBezier& a, const PlanarBezier& b, double margin, int halvings) {
+// False if that many halvings of the two together do not do, or no test is left.
+bool are_apart(const PlanarBezier& a, const PlanarBezier& b, double margin, int halvings,
+               TestBudget& tests) {
+  if (!tests.spend()) return false;
   const PlanarBox of_a = box_of(a.points), of_b = box_of(b.points);
   if (boxes_part(of_a, of_b, margin) || parts(a, b, margin) || parts(b, a, margin)) return true;
   if (halvings == 0) return false;
   const bool first = distance(of_a.low, of_a.high) >= distance(of_b.low, of_b.high);
   const PlanarBezier& longer = first ? a : b;
   return std::ranges::all_of(std::array{Interval{0, 0.5}, Interval{0.5, 1}}, [&](const auto& half) {
-    return are_apart(bezier_piece(longer, half), first ? b : a, margin, halvings - 1);
+    return are_apart(bezier_piece(longer, half), first ? b : a, margin, halvings - 1, tests);
   });
 }
 
@@ -144,7 +172,8 @@ double angle_between(const Cone& a, const Cone& b) {
 // How far from the end of a piece, at most, it meets the next one, which begins there; nothing if
 // no bound is found.
 std::optional<double> reach_of_meeting(const PlanarBezier& a, const PlanarBezier& b, double margin,
-                                       int halvings) {
+                                       int halvings, TestBudget& tests) {
+  if (!tests.spend()) return std::nullopt;
   const auto cone_a = cone_of(a, true), cone_b = cone_of(b, false);
   if (!cone_a || !cone_b) return std::nullopt;
   const double angle = angle_between(*cone_a, *cone_b);
@@ -155,10 +184,11 @@ std::optional<double> reach_of_meeting(const PlanarBezier& a, const PlanarBezier
   if (halvings == 0) return std::nullopt;
   const PlanarBezier far_a = bezier_piece(a, {0, 0.5}), near_a = bezier_piece(a, {0.5, 1}),
                      near_b = bezier_piece(b, {0, 0.5}), far_b = bezier_piece(b, {0.5, 1});
-  if (!are_apart(far_a, near_b, margin, halvings) || !are_apart(far_a, far_b, margin, halvings) ||
-      !are_apart(near_a, far_b, margin, halvings))
+  if (!are_apart(far_a, near_b, margin, halvings, tests) ||
+      !are_apart(far_a, far_b, margin, halvings, tests) ||
+      !are_apart(near_a, far_b, margin, halvings, tests))
     return std::nullopt;
-  return reach_of_meeting(near_a, near_b, margin, halvings - 2);
+  return reach_of_meeting(near_a, near_b, margin, halvings - 2, tests);
 }
 
 // The coedges of a loop as the walk takes them; none if it passes a corner twice.
@@ -185,7 +215,8 @@ bool encloses(const PlanarPath& loop, const Vec2& point) {
 
 class LoopsProof {
  public:
-  LoopsProof(const FaceTrims& trims, double margin) : trims_(trims), margin_(margin) {}
+  LoopsProof(const FaceTrims& trims, double margin)
+      : trims_(trims), margin_(margin), tests_(budget_of(trims)) {}
 
   bool holds() {
     return std::ranges::all_of(trims_.loops, [&](const auto& loop) { return add(loop); }) &&
@@ -193,16 +224,16 @@ class LoopsProof {
   }
 
  private:
-  // Three pieces at least: no two share both of their ends then.
+  // Four pieces at least: none shares a corner with both of those that end at a gap, but they.
   bool add(const std::vector<Coedge>& loop) {
     std::vector<LoopPiece> ring;
     for (const Coedge* coedge : in_order(loop)) {
       int vertex = coedge->start;
       for (const PlanarBezier& curve : path_of(*coedge))
-        if (!add_pieces(curve, std::exchange(vertex, -1), kTurnHalvings, ring)) return false;
+        if (!add_pieces(curve, std::exchange(vertex, -1), kHalvings, tests_, ring)) return false;
     }
     if (ring.empty()) return false;
-    while (ring.size() < 3) {
+    while (ring.size() < 4) {
       std::vector<LoopPiece> halves;
       for (const LoopPiece& piece : ring) {
         halves.push_back(piece_of(bezier_piece(piece.curve, {0, 0.5}), piece.vertex));
@@ -220,25 +251,43 @@ class LoopsProof {
     return true;
   }
 
-  bool neighbours_meet_in_corners() const {
+  bool neighbours_meet_in_corners() {
     return std::ranges::all_of(pieces_, [&](const LoopPiece& piece) {
       const LoopPiece& next = pieces_[piece.after];
-      const auto reach = reach_of_meeting(piece.curve, next.curve, margin_, kPairHalvings);
+      const auto reach = reach_of_meeting(piece.curve, next.curve, margin_, 2 * kHalvings, tests_);
       return reach && (next.vertex < 0 ? *reach <= margin_ : is_covered(next, *reach));
     });
   }
 
-  // Whether the vertex where a piece begins covers a distance from there.
-  bool is_covered(const LoopPiece& piece, double reach) const {
-    const FaceVertex& vertex = trims_.vertices[static_cast<std::size_t>(piece.vertex)];
-    const Vec2 corner = piece.first();
-    const SurfaceJet jet = trims_.jet({corner[0] / trims_.scale[0], corner[1] / trims_.scale[1]});
-    const double rate = norm(jet.du) / trims_.scale[0] + norm(jet.dv) / trims_.scale[1];
-    return distance(jet.point, vertex.point) + kLengthMargin * rate * reach <= vertex.tolerance;
+  SurfaceJet jet_at(const Vec2& place) const {
+    return trims_.jet({place[0] / trims_.scale[0], place[1] / trims_.scale[1]});
   }
 
-  // By increasing x, so that only those with a common range of it are looked at.
-  bool others_are_apart() const {
+  // No length in space is more than this times that in the chart.
+  double rate_of(const SurfaceJet& jet) const {
+    return norm(jet.du) / trims_.scale[0] + norm(jet.dv) / trims_.scale[1];
+  }
+
+  // Whether the vertex where a piece begins covers a square of the chart round that place: by the
+  // rate there, with a margin, that is not exceeded in the corners of the square.
+  bool is_covered(const LoopPiece& piece, double reach) const {
+    const FaceVertex& vertex = trims_.vertices[static_cast<std::size_t>(piece.vertex)];
+    const Vec2 place = piece.first();
+    const SurfaceJet jet = jet_at(place);
+    const double rate = kLengthMargin * rate_of(jet);
+    if (!(distance(jet.point, vertex.point) + rate * reach <= vertex.tolerance)) return false;
+    if (reach == 0) return true;
+    for (const double du : {-reach, reach})
+      for (const double dv : {-reach, reach})
+        if (!(rate_of(jet_at(place + Vec2{du, dv})) <= rate)) return false;
+    return rate > 0;
+  }
+
+  // By increasing x, so that only those with a common range of it are looked at. The straight way
+  // over a gap stays within its length of both pieces that end there, and one of these is none of
+  // the neighbours of any third piece: what is apart from that by the gap more is apart from it.
+  bool others_are_apart() {
+    const double margin = margin_ + trims_.largest_gap;
     std::vector<std::size_t> order(pieces_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::ranges::sort(order, {}, [&](std::size_t i) { return pieces_[i].box.low[0]; });
@@ -246,10 +295,10 @@ class LoopsProof {
       const LoopPiece& a = pieces_[order[m]];
       for (std::size_t n = m + 1; n < order.size(); ++n) {
         const LoopPiece& b = pieces_[order[n]];
-        if (b.box.low[0] > a.box.high[0] + margin_) break;
-        if (a.before == order[n] || a.after == order[n] || boxes_part(a.box, b.box, margin_))
+        if (b.box.low[0] > a.box.high[0] + margin) break;
+        if (a.before == order[n] || a.after == order[n] || boxes_part(a.box, b.box, margin))
           continue;
-        if (!are_apart(a.curve, b.curve, margin_, kPairHalvings)) return false;
+        if (!are_apart(a.curve, b.curve, margin, 2 * kHalvings, tests_)) return false;
       }
     }
     return true;
@@ -286,6 +335,7 @@ class LoopsProof {
 
   const FaceTrims& trims_;
   const double margin_;
+  TestBudget tests_;
   std::vector<LoopPiece> pieces_;
   std::vector<std::size_t> ends_;  // of loops among these
 };

@@ -32,8 +32,9 @@ std::optional<std::vector<std::string>> known_of(const TopoDS_Face& face) {
   return problems;
 }
 
+// Of a face of which nothing is known: the loops of polygons are in doubt already.
 std::vector<std::string> found_by_check(const TopoDS_Face& face) {
-  if (is_sound_face(face)) return {};
+  if (!is_held_polygon(face) && is_sound_face(face)) return {};
   const BRepCheck_Analyzer analyzer(face);
   if (analyzer.IsValid()) return {};
   std::vector<std::string> problems;

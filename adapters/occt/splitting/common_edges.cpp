@@ -66,11 +66,19 @@ CommonEdges::CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<To
 }
 
 void CommonEdges::know_equal(const ShapeIntersection& found) {
-  for (const FaceIntersection& pair : found.pairs)
+  const auto add_equal = [this](const TopoDS_Edge& of, const TopoDS_Edge& equal) {
+    if (!equals_.IsBound(of)) equals_.Bind(of, TopTools_MapOfShape());
+    equals_.ChangeFind(of).Add(equal);
+  };
+  for (const FaceIntersection& pair : found.pairs) {
+    if (pair.equal_edges.empty()) continue;
+    copied_.Add(a_[static_cast<std::size_t>(pair.face_a)]);
+    copied_.Add(b_[static_cast<std::size_t>(pair.face_b)]);
     for (const auto& [a, b] : pair.equal_edges) {
-      equals_.Bind(a, b);
-      equals_.Bind(b, a);
+      add_equal(a, b);
+      add_equal(b, a);
     }
+  }
 }
 
 void CommonEdges::add(const FaceIntersection& pair) {
@@ -160,13 +168,15 @@ bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet)
                              [&](const Interval& run) { return !passes(of, run, feet, reach_); });
 }
 
+// A face with a copy in the edge's own solid, and without an equal of the edge, is as that copy is
+// to the edge: where they touch, both solids touch themselves there, and are left as they are.
 bool CommonEdges::is_in(const TopoDS_Edge& edge, const TopoDS_Face& face,
                         const SurfaceProjector& feet) {
-  const TopoDS_Shape* const equal = equals_.Seek(edge);
-  if (equal == nullptr) return lies_on(edge, feet);
+  const TopTools_MapOfShape* const equals = equals_.Seek(edge);
+  if (equals == nullptr) return lies_on(edge, feet);
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    if (it.Current().IsSame(*equal)) return true;
-  return false;
+    if (equals->Contains(it.Current())) return true;
+  return !copied_.Contains(face) && lies_on(edge, feet);
 }
 
 // Which of the edges lie in a face of the other shape, and where they meet its edges.

@@ -68,9 +68,10 @@ class CommonEdges {
   CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
               const IntersectionOptions& options, EdgesLie lying = EdgesLie::WhereFacesMeet);
 
-  /// Takes over which edges are known to be equal. Faces of a solid have edges of it in common
-  /// alone: these edges lie in the faces that have their equals, and in no others, and nothing is
-  /// searched for that. To be called before edges are added, and for solids only.
+  /// Takes over which edges and faces are known to be equal. Nothing is searched for such an edge
+  /// in the faces that have its equals, where it lies, nor in others that have a copy in the solid
+  /// of the edge: no solid is divided by itself. To be called before edges are added, and for
+  /// solids only.
   void know_equal(const ShapeIntersection& found);
 
   /// Looks at the edges of two faces that meet: at all where the faces coincide, where intersection
@@ -147,8 +148,9 @@ class CommonEdges {
   TopTools_MapOfShape loose_;  // edges that lie in a face by their own tolerances
   std::vector<std::vector<TopoDS_Edge>> in_a_, in_b_;
   NCollection_DataMap<TopoDS_Shape, Bnd_Box, TopTools_ShapeMapHasher> boxes_;
-  // By edge of either shape: that of the other one which it is equal to.
-  NCollection_DataMap<TopoDS_Shape, TopoDS_Shape, TopTools_ShapeMapHasher> equals_;
+  // By edge of either shape: those of the other one which it is equal to.
+  NCollection_DataMap<TopoDS_Shape, TopTools_MapOfShape, TopTools_ShapeMapHasher> equals_;
+  TopTools_MapOfShape copied_;             // faces that are equal to one of the other shape
   TopTools_IndexedMapOfShape edges_;       // of both
   std::set<std::pair<int, int>> looked_;   // pairs of edges
   std::set<std::pair<int, int>> touched_;  // edges of a, faces of b from 1; of b, of a from -1 down

@@ -28,7 +28,18 @@ SurfacePoint point_of(const IntersectionCurve& curve, double t) {
   return {point_at(curve.curve, t), point_at(curve.chart_a, t), point_at(curve.chart_b, t)};
 }
 
-// The same of a curve that only touches there: of a conic its own point, from which what is fitted
+// Parameters a step nearer to a point; the same ones where that comes no nearer, or goes farther
+// than the trims do, as it may beside a pole.
+Vec2 sharpened(const FaceTrims& trims, const Vec2& uv, const Vec3& point) {
+  const SurfaceJet jet = trims.jet(uv);
+  const Vec2 step = chart_step(jet, point - jet.point), size = trims.box.high - trims.box.low;
+  for (int k = 0; k < 2; ++k)
+    if (!(std::abs(step[k]) * trims.scale[k] <= size[k])) return uv;
+  const Vec2 next = uv + step;
+  return distance(trims.jet(next).point, point) < distance(jet.point, point) ? next : uv;
+}
+
+// The point of a curve that only touches there: of a conic its own one, from which what is fitted
 // to it in the charts is farther off than two faces are that touch.
 //
 // b   null if there is none
@@ -37,12 +48,8 @@ SurfacePoint touch_of(const IntersectionCurve& curve, double t, const FaceTrims&
   SurfacePoint touch = point_of(curve, t);
   if (!curve.conic) return touch;
   touch.point = point_at(*curve.conic, t);
-  const auto sharpen = [&](const FaceTrims& trims, Vec2& uv) {
-    const SurfaceJet jet = trims.jet(uv);
-    uv += chart_step(jet, touch.point - jet.point);
-  };
-  sharpen(a, touch.uv_a);
-  if (b != nullptr) sharpen(*b, touch.uv_b);
+  touch.uv_a = sharpened(a, touch.uv_a, touch.point);
+  if (b != nullptr) touch.uv_b = sharpened(*b, touch.uv_b, touch.point);
   return touch;
 }
 

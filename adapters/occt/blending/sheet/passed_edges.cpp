@@ -30,7 +30,7 @@ constexpr int kSideSamples = 5;  // in each direction of a patch
 }  // namespace
 
 // All edges round a vertex; in the place of one that is passed, those that are round its other
-// vertex.
+// vertex. Edges that lead back to where they come from make no corner.
 BlendSheet::Ring BlendSheet::ring_at(const DirectedEdge& half, std::vector<int>& passed) const {
   Ring merged;
   for (const VertexSector& each : body_.round(half)) {
@@ -38,6 +38,9 @@ BlendSheet::Ring BlendSheet::ring_at(const DirectedEdge& half, std::vector<int>&
       merged.push_back(each);
       continue;
     }
+    if (std::ranges::find(passed, each.half.edge) != passed.end())
+      refuse(each.half, FilletFault::Corner,
+             "the edges that are passed there form a ring: they cannot become one corner");
     passed.push_back(each.half.edge);
     const Ring behind = ring_at({each.half.edge, !each.half.at_start}, passed);
     merged.insert(merged.end(), behind.begin() + 1, behind.end());

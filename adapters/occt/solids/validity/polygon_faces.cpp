@@ -71,7 +71,8 @@ class StraightEdges {
                 const PlaneFrame& frame)
       : surface_(surface), place_(place), frame_(frame) {}
 
-  // Whether an edge and its vertices hold each other; no edge of another kind does.
+  // Whether an edge and its vertices hold each other; no edge of another kind does, nor one that is
+  // in no loop.
   bool are_held(const TopoDS_Edge& edge) const;
 
  private:
@@ -147,7 +148,7 @@ bool StraightEdges::are_held(const TopoDS_Edge& edge) const {
 
 }  // namespace
 
-bool is_sound_polygon(const TopoDS_Face& face) {
+bool is_held_polygon(const TopoDS_Face& face) {
   TopLoc_Location place;
   const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, place);
   const auto plane = Handle(Geom_Plane)::DownCast(surface);
@@ -162,7 +163,11 @@ bool is_sound_polygon(const TopoDS_Face& face) {
     for (TopoDS_Iterator edge(wire.Value()); edge.More(); edge.Next())
       if (!edges.are_held(TopoDS::Edge(edge.Value()))) return false;
   }
-  return loops_are_simple(face);
+  return true;
+}
+
+bool is_sound_polygon(const TopoDS_Face& face) {
+  return is_held_polygon(face) && loops_are_simple(face);
 }
 
 }  // namespace blossom::occt

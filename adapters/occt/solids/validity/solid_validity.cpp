@@ -47,7 +47,9 @@ bool new_faces_are_valid(const TopoDS_Shape& shape, const TopTools_MapOfShape& k
     const TopoDS_Face& face = TopoDS::Face(it.Current());
     if (known.Contains(face) || is_sound_polygon(face)) continue;
     const TopoDS_Face copy = faces.add(face);
-    if (!is_sound_face(copy) && !BRepCheck_Analyzer(copy).IsValid()) return false;
+    // The loops of polygons are in doubt already.
+    if ((is_held_polygon(copy) || !is_sound_face(copy)) && !BRepCheck_Analyzer(copy).IsValid())
+      return false;
   }
   return true;
 }
@@ -100,8 +102,7 @@ bool is_sliver(const TopoDS_Face& face) {
 }
 
 constexpr double kCoverMargin = 1.1;
-constexpr std::array kBetween{0.25, 0.5,
-                              0.75};  // where what lies between two crossings is measured
+constexpr std::array kBetween{0.25, 0.5, 0.75};  // samples from a vertex to a crossing
 
 // An edge with its curve in the parameters of one face.
 struct ChartedEdge {
@@ -122,42 +123,71 @@ std::vector<ChartedEdge> charted_edges(const TopoDS_Face& face) {
   return all;
 }
 
-// Whether two edges, from a vertex of both up to a parameter of the first one, come no farther from
-// each other than their tolerances and their ends in the vertex say.
+double length_by_chords(const RangedCurve& of) {
+  const gp_Pnt middle = of.curve->Value(at(of.range, 0.5));
+  return middle.Distance(of.curve->Value(of.range.from)) +
+         middle.Distance(of.curve->Value(of.range.to));
+}
+
+// The parameter at which an edge ends in a vertex; of a closed one the end nearer to another
+// parameter.
+double end_beside(const TopoDS_Edge& edge, const TopoDS_Vertex& vertex, double t) {
+  if (!TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge)))
+    return BRep_Tool::Parameter(vertex, edge);
+  const Interval range = curve_of(edge).range;
+  return t - range.from < range.to - t ? range.from : range.to;
+}
+
+// Whether two edges, from a vertex of both up to a crossing, come no farther from each other than
+// their tolerances and their ends in the vertex say, by samples, and no longer than curves do that
+// touch with a radius as long as the longer edge: others only go in nearly the same direction.
 bool are_one_up_to(const ChartedEdge& a, const ChartedEdge& b, const TopoDS_Vertex& vertex,
-                   double t) {
+                   const IntRes2d_IntersectionPoint& crossing) {
   const RangedCurve of_a = curve_of(a.edge), of_b = curve_of(b.edge);
-  const Interval between{BRep_Tool::Parameter(vertex, a.edge), t};
-  const gp_Pnt end = of_b.curve->Value(BRep_Tool::Parameter(vertex, b.edge));
-  const double most = BRep_Tool::Tolerance(a.edge) + BRep_Tool::Tolerance(b.edge) +
-                      of_a.curve->Value(between.from).Distance(end);
+  const double t = crossing.ParamOnFirst();
+  const Interval between{end_beside(a.edge, vertex, t), t};
+  const gp_Pnt from = of_a.curve->Value(between.from);
+  const gp_Pnt end = of_b.curve->Value(end_beside(b.edge, vertex, crossing.ParamOnSecond()));
+  const double stated = BRep_Tool::Tolerance(a.edge) + BRep_Tool::Tolerance(b.edge);
+  const double radius = std::max(length_by_chords(of_a), length_by_chords(of_b));
+  if (from.Distance(of_a.curve->Value(t)) > std::sqrt(8 * radius * stated)) return false;
+  const double most = stated + from.Distance(end);
   return std::ranges::all_of(kBetween, [&](double part) {
     return foot_on(of_b, of_a.curve->Value(at(between, part))).distance <= most;
   });
 }
 
-// The farthest crossing of two edges that one of their common vertices may stand for is covered.
-bool cover_crossings(const ChartedEdge& a, const ChartedEdge& b, const TopoDS_Face& face) {
+// Each once.
+std::vector<TopoDS_Vertex> common_ends(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   TopTools_IndexedMapOfShape of_a, of_b;
-  TopExp::MapShapes(a.edge, TopAbs_VERTEX, of_a);
-  TopExp::MapShapes(b.edge, TopAbs_VERTEX, of_b);
+  TopExp::MapShapes(a, TopAbs_VERTEX, of_a);
+  TopExp::MapShapes(b, TopAbs_VERTEX, of_b);
+  std::vector<TopoDS_Vertex> common;
+  for (int i = 1; i <= of_a.Extent(); ++i)
+    if (of_b.Contains(of_a(i))) common.push_back(TopoDS::Vertex(of_a(i)));
+  return common;
+}
+
+// The crossings of two edges that the nearest one of their common vertices may stand for are
+// covered.
+bool cover_crossings(const ChartedEdge& a, const ChartedEdge& b, const TopoDS_Face& face) {
+  const std::vector<TopoDS_Vertex> ends = common_ends(a.edge, b.edge);
+  if (ends.empty()) return false;
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  const Geom2dAPI_InterCurveCurve met(new Geom2d_TrimmedCurve(a.chart, a.range.from, a.range.to),
+                                      new Geom2d_TrimmedCurve(b.chart, b.range.from, b.range.to),
+                                      Precision::PConfusion());
   bool any = false;
-  for (int i = 1; i <= of_a.Extent(); ++i) {
-    if (!of_b.Contains(of_a(i))) continue;
-    const TopoDS_Vertex vertex = TopoDS::Vertex(of_a(i));
-    const gp_Pnt point = BRep_Tool::Pnt(vertex);
-    const Geom2dAPI_InterCurveCurve met(new Geom2d_TrimmedCurve(a.chart, a.range.from, a.range.to),
-                                        new Geom2d_TrimmedCurve(b.chart, b.range.from, b.range.to),
-                                        Precision::PConfusion());
-    for (int k = 1; k <= met.NbPoints(); ++k) {
-      const IntRes2d_IntersectionPoint& at = met.Intersector().Point(k);
-      const double gap =
-          BRep_Tool::Surface(face)->Value(at.Value().X(), at.Value().Y()).Distance(point);
-      if (gap <= BRep_Tool::Tolerance(vertex) || !are_one_up_to(a, b, vertex, at.ParamOnFirst()))
-        continue;
-      BRep_Builder().UpdateVertex(vertex, kCoverMargin * gap);
-      any = true;
-    }
+  for (int k = 1; k <= met.NbPoints(); ++k) {
+    const IntRes2d_IntersectionPoint& crossing = met.Intersector().Point(k);
+    const gp_Pnt point = surface->Value(crossing.Value().X(), crossing.Value().Y());
+    const auto past = [&](const TopoDS_Vertex& end) {
+      return BRep_Tool::Pnt(end).Distance(point) - BRep_Tool::Tolerance(end);
+    };
+    const TopoDS_Vertex& vertex = *std::ranges::min_element(ends, {}, past);
+    if (past(vertex) <= 0 || !are_one_up_to(a, b, vertex, crossing)) continue;
+    BRep_Builder().UpdateVertex(vertex, kCoverMargin * BRep_Tool::Pnt(vertex).Distance(point));
+    any = true;
   }
   return any;
 }

@@ -2,6 +2,7 @@
 #include "adapters/occt/solids/validity/sound_faces.h"
 
 #include <algorithm>
+#include <exception>
 
 #include <BRepCheck_Edge.hxx>
 #include <BRepCheck_Face.hxx>
@@ -13,12 +14,13 @@
 #include <Geom2d_Ellipse.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/base/check_words.h"
-#include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "core/topology/simple_loops.h"
@@ -56,11 +58,30 @@ TopTools_IndexedMapOfShape parts_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum 
   return parts;
 }
 
+bool is_directed(const TopoDS_Shape& part) {
+  return part.Orientation() == TopAbs_FORWARD || part.Orientation() == TopAbs_REVERSED;
+}
+
+// No vertices, no edges within or outside of it, which are in no loop.
+bool has_only_loops(const TopoDS_Face& face) {
+  for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next()) {
+    if (wire.Value().ShapeType() != TopAbs_WIRE || !is_directed(wire.Value())) return false;
+    for (TopoDS_Iterator edge(wire.Value()); edge.More(); edge.Next())
+      if (!is_directed(edge.Value())) return false;
+  }
+  return true;
+}
+
+bool is_fine_edge(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  const Handle(BRepCheck_Edge) check = new BRepCheck_Edge(edge);
+  return is_fine(check, face) && check->CheckPolygonOnTriangulation(edge) == BRepCheck_NoError;
+}
+
 bool edges_are_fine(const TopoDS_Face& face) {
   const TopTools_IndexedMapOfShape edges = parts_of(face, TopAbs_EDGE);
   for (int i = 1; i <= edges.Extent(); ++i) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
-    if (!has_exact_chart(edge, face) || !is_fine(new BRepCheck_Edge(edge), face)) return false;
+    if (!has_exact_chart(edge, face) || !is_fine_edge(edge, face)) return false;
     const TopTools_IndexedMapOfShape vertices = parts_of(edge, TopAbs_VERTEX);
     for (int k = 1; k <= vertices.Extent(); ++k) {
       const Handle(BRepCheck_Vertex) vertex = new BRepCheck_Vertex(TopoDS::Vertex(vertices(k)));
@@ -85,16 +106,23 @@ bool wires_are_fine(const TopoDS_Face& face) {
 }  // namespace
 
 bool loops_are_simple(const TopoDS_Face& face) try {
+  if (!has_only_loops(face)) return false;
   const FaceTrims trims = face_trims(face);
   const double margin = std::max(kCheckMargin * std::max(trims.scale[0], trims.scale[1]),
                                  kSizeMargin * distance(trims.box.low, trims.box.high));
-  return trims.inner.empty() && are_simple(trims, margin);
-} catch (const BadModel&) {  // which BRepCheck has its own words for
+  return are_simple(trims, margin);
+} catch (const Standard_Failure&) {  // BRepCheck has its own words for what is no geometry
+  return false;
+} catch (const std::exception&) {
   return false;
 }
 
-bool is_sound_face(const TopoDS_Face& face) {
+bool is_sound_face(const TopoDS_Face& face) try {
   return loops_are_simple(face) && edges_are_fine(face) && wires_are_fine(face);
+} catch (const Standard_Failure&) {
+  return false;
+} catch (const std::exception&) {
+  return false;
 }
 
 }  // namespace blossom::occt

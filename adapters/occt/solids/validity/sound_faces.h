@@ -11,16 +11,18 @@ namespace blossom::occt {
 /// face within one of them and outside of all others: `are_simple` (core/topology/simple_loops.h),
 /// with a margin for what BRepCheck takes for one.
 ///
-/// returns   false in doubt
+/// returns   false in doubt, as of faces with vertices and edges that are in no loop, and of what
+///           is no geometry; throws nothing
 bool loops_are_simple(const TopoDS_Face& face);
 
 /// Whether a face is proven to have none of the faults that `BRepCheck_Analyzer` looks for. What
-/// that says of vertices, edges and the order of wires is asked of its own parts. Whether wires
+/// that says of vertices, edges (with their polygons on triangulations) and the order of wires is
+/// asked of its own parts. Whether wires
 /// meet is not: it samples both curves of each two edges, which takes most of its time. That is
 /// left to `loops_are_simple`, for edges that are lines, conics and splines in the face's
 /// parameters.
 ///
-/// returns   false in doubt: that says nothing of the face
+/// returns   false in doubt: that says nothing of the face; throws nothing
 bool is_sound_face(const TopoDS_Face& face);
 
 }  // namespace blossom::occt

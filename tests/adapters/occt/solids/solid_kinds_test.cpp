@@ -28,6 +28,7 @@
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -328,6 +329,18 @@ TEST(SolidKinds, ASolidOfSplinesIsOneWithItsCopy) {
       BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCone(2, 1, 3, kPi / 2).Shape()).Shape();
   const double volume = kPi / 4 * 7;
   expect_volumes(part, volume, BRepBuilderAPI_Copy(part).Shape(), volume, volume);
+}
+
+// Each has an edge of its own where they touch.
+TEST(SolidKinds, CubesThatTouchAlongAnEdgeAreOneWithTheirCopies) {
+  const BRep_Builder builder;
+  TopoDS_Compound cubes;
+  builder.MakeCompound(cubes);
+  builder.Add(cubes, BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(1, 1, 1)).Shape());
+  builder.Add(cubes, BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 0), gp_Pnt(2, 2, 1)).Shape());
+  const TopoDS_Shape copies = BRepBuilderAPI_Copy(cubes).Shape();
+  expect_volume(cubes, copies, SolidOperation::Common, 2);
+  expect_volume(cubes, copies, SolidOperation::Cut, 0);
 }
 
 TEST(SolidKinds, AFlatFaceMayBeASpline) {

@@ -44,7 +44,9 @@ TEST(EdgeCuts, AreOfNumbersWhereAnEdgeEndsInTheBorderOfASurface) {
   wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(4, 0, 0), gp_Pnt(4, -1, 0)).Edge());
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(wire.Wire()).Face();
   const SurfaceProjector feet(BRepBuilderAPI_MakeFace(flat_patch(), 1e-7).Face(), 1e-7);
-  for (const FaceCut& cut : edge_cuts(face, feet, 1e-7, 1e-7)) {
+  const std::vector<FaceCut> cuts = edge_cuts(face, feet, 1e-7, 1e-7);
+  ASSERT_FALSE(cuts.empty());
+  for (const FaceCut& cut : cuts) {
     for (std::size_t i = 0; i + 1 < cut.chart.knots.size(); ++i)
       EXPECT_LT(cut.chart.knots[i], cut.chart.knots[i + 1]);
     for (const Vec2& uv : cut.chart.points)

@@ -170,6 +170,7 @@ TEST(PolygonFaces, AreHeldByEachToleranceOfItsOwn) {
   BRep_Builder().UpdateEdge(first_edge(chart_off), new Geom2d_Line({0, 1e-5}, {1, 0}), plane, place,
                             1e-7);
   expect_unsound(chart_off);
+  EXPECT_FALSE(is_held_polygon(chart_off));
 
   const TopoDS_Face line_off = face_of({kSquare});
   move_first_edge(line_off, gp_Vec(kAxes.Direction()) * 1e-5, 1e-3);
@@ -188,13 +189,16 @@ TEST(PolygonFaces, WithSidesThatCrossNearAnAcuteCornerAreNot) {
 TEST(PolygonFaces, OfOtherCurvesAndSurfacesNothingIsSaid) {
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 2).Shape();
   for (TopExp_Explorer it(cylinder, TopAbs_FACE); it.More(); it.Next())
-    EXPECT_FALSE(is_sound_polygon(TopoDS::Face(it.Current())));
+    EXPECT_FALSE(is_held_polygon(TopoDS::Face(it.Current())));
 }
 
 // A spike's sides part only slowly, and edges that touch are left to BRepCheck.
 TEST(PolygonFaces, InDoubtNothingIsSaid) {
-  EXPECT_FALSE(is_sound_polygon(face_of({{{0, 0}, {4, 0}, {4, 1e-2}}})));
-  EXPECT_FALSE(is_sound_polygon(face_of({kSquare, hole(1, 1, 1), hole(1, 2, 1)})));
+  for (const TopoDS_Face& face :
+       {face_of({{{0, 0}, {4, 0}, {4, 1e-2}}}), face_of({kSquare, hole(1, 1, 1), hole(1, 2, 1)})}) {
+    EXPECT_TRUE(is_held_polygon(face));
+    EXPECT_FALSE(is_sound_polygon(face));
+  }
 }
 
 }  // namespace

@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -19,12 +21,21 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <GeomAPI_Interpolate.hxx>
+#include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_Plane.hxx>
+#include <Poly_Array1OfTriangle.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 
 #include "adapters/occt/intersection_edges.h"
@@ -103,6 +114,82 @@ TEST(SoundFaces, AreValidWhateverTheirBordersDo) {
   EXPECT_LT(count.valid, 140);
   // BRepCheck takes what is on the left of a border that runs clockwise, all the rest of the plane.
   EXPECT_GT(count.proven, 0.5 * count.valid);
+}
+
+// Between a line and a curve above it.
+struct Lens {
+  TopoDS_Vertex left = BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 0)).Vertex();
+  TopoDS_Vertex right = BRepBuilderAPI_MakeVertex(gp_Pnt(10, 0, 0)).Vertex();
+  TopoDS_Edge line = BRepBuilderAPI_MakeEdge(left, right).Edge();
+  TopoDS_Edge arc = BRepBuilderAPI_MakeEdge(above(), right, left).Edge();
+
+  static Handle(Geom_BSplineCurve) above() {
+    TColgp_Array1OfPnt points(1, 4);
+    points.SetValue(1, gp_Pnt(10, 0, 0));
+    points.SetValue(2, gp_Pnt(7, 4, 0));
+    points.SetValue(3, gp_Pnt(3, 4, 0));
+    points.SetValue(4, gp_Pnt(0, 0, 0));
+    return GeomConvert::CurveToBSplineCurve(new Geom_BezierCurve(points));
+  }
+
+  // Leaves the lens.
+  TopoDS_Edge across() const {
+    const TopoDS_Vertex top = BRepBuilderAPI_MakeVertex(gp_Pnt(5, 5, 0)).Vertex();
+    return BRepBuilderAPI_MakeEdge(left, top).Edge();
+  }
+
+  TopoDS_Face face(const std::vector<TopoDS_Shape>& more_edges = {},
+                   const std::vector<TopoDS_Shape>& more_parts = {}) const {
+    const BRep_Builder builder;
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    builder.Add(wire, line);
+    builder.Add(wire, arc);
+    for (const TopoDS_Shape& edge : more_edges) builder.Add(wire, edge);
+    wire.Closed(Standard_True);
+    TopoDS_Face made;
+    builder.MakeFace(made, new Geom_Plane(gp_Ax3()), 1e-7);
+    builder.Add(made, wire);
+    for (const TopoDS_Shape& part : more_parts) builder.Add(made, part);
+    return made;
+  }
+};
+
+TEST(SoundFaces, HaveNoEdgesAndVerticesThatAreInNoLoop) {
+  const Lens lens;
+  EXPECT_TRUE(is_valid(lens.face()));
+  EXPECT_TRUE(is_sound_face(lens.face()));
+  const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(lens.across()).Wire();
+  for (const TopAbs_Orientation way : {TopAbs_INTERNAL, TopAbs_EXTERNAL}) {
+    EXPECT_FALSE(is_sound_face(lens.face({lens.across().Oriented(way)})));
+    EXPECT_FALSE(is_sound_face(lens.face({}, {wire.Oriented(way)})));
+    EXPECT_FALSE(is_sound_face(lens.face({}, {lens.left.Oriented(way)})));
+  }
+}
+
+// The polygon of the arc is its chord, on a triangle at a height.
+TEST(SoundFaces, HavePolygonsThatFitTheirTriangulations) {
+  for (const double height : {0.0, 1.0}) {
+    const Lens lens;
+    TColgp_Array1OfPnt nodes(1, 3);
+    nodes.SetValue(1, gp_Pnt(10, 0, height));
+    nodes.SetValue(2, gp_Pnt(0, 0, height));
+    nodes.SetValue(3, gp_Pnt(5, 5, height));
+    Poly_Array1OfTriangle triangles(1, 1);
+    triangles.SetValue(1, Poly_Triangle(1, 2, 3));
+    TColStd_Array1OfInteger ends(1, 2);
+    TColStd_Array1OfReal parameters(1, 2);
+    for (int i = 1; i <= 2; ++i) {
+      ends.SetValue(i, i);
+      parameters.SetValue(i, i - 1.0);
+    }
+    const Handle(Poly_Triangulation) triangulation = new Poly_Triangulation(nodes, triangles);
+    const Handle(Poly_PolygonOnTriangulation) polygon =
+        new Poly_PolygonOnTriangulation(ends, parameters);
+    BRep_Builder().UpdateEdge(lens.arc, polygon, triangulation);
+    EXPECT_EQ(is_valid(lens.face()), height == 0);
+    EXPECT_EQ(is_sound_face(lens.face()), height == 0);
+  }
 }
 
 // Curves in parameters moved, vertices moved, tolerances lowered.
