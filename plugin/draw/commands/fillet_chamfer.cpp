@@ -21,7 +21,7 @@ reports::EdgeChoice edges_of(const TopoDS_Shape& shape, const Words& words, std:
   const std::string& word = words[first];
   const bool all = word == "all";
   if (!all && word != "convex" && word != "concave") {
-    for (std::size_t i = first; i < words.size(); ++i) reports::choose_edge(words[i], chosen);
+    for (std::size_t i = first; i < words.size(); ++i) reports::choose_edges(words[i], chosen);
     return chosen;
   }
   require(words.size() == first + 1);

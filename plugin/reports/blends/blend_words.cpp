@@ -60,15 +60,17 @@ occt::EdgeRadius edge_radius(const std::string& word) {
   return {1, RadiusLaw::linear({0, 1}, first, positive_number((*both)[1], word))};
 }
 
-void choose_edge(const std::string& word, EdgeChoice& choice) {
+void choose_edges(const std::string& word, EdgeChoice& choice) {
   const auto with_radius = parted(word, ":");
-  const std::optional<int> edge = entity_number(with_radius ? (*with_radius)[0] : word, "edge");
-  if (!edge)
+  const auto range = entity_range(with_radius ? (*with_radius)[0] : word, "edge");
+  if (!range)
     throw InvalidInput("\"" + word +
-                       "\" is no edge: 12 or Edge12, or 12:5 with a radius, is wanted");
-  choice.edges.push_back(*edge);
-  if (with_radius && !choice.own.emplace(*edge, edge_radius((*with_radius)[1])).second)
-    throw InvalidInput("edge " + std::to_string(*edge) + " has two radii");
+                       "\" is no edge: 12, Edge12 or 5-9, or 12:5 with a radius, is wanted");
+  for (int edge = range->first; edge <= range->last; ++edge) {
+    choice.edges.push_back(edge);
+    if (with_radius && !choice.own.emplace(edge, edge_radius((*with_radius)[1])).second)
+      throw InvalidInput("edge " + std::to_string(edge) + " has two radii");
+  }
 }
 
 RadiusLaw radius_law(const std::string& json) {

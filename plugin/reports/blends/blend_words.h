@@ -25,9 +25,9 @@ struct EdgeChoice {
   std::map<int, occt::EdgeRadius> own{};
 };
 
-/// "12" or "Edge12", "12:5" with a radius of its own, or "12:2..5".
-/// throws   InvalidInput if it is none of these, or the edge has another radius already
-void choose_edge(const std::string& word, EdgeChoice& choice);
+/// "12" or "Edge12", a range "5-9", "12:5" with a radius of its own, or "12:2..5".
+/// throws   InvalidInput if it is none of these, or an edge has another radius already
+void choose_edges(const std::string& word, EdgeChoice& choice);
 
 /// A law as JSON: `law` is "linear", "smooth" or "table", `radii` its numbers, of a table with the
 /// shares `at` of the run's length, from 0 to 1, where they are.

@@ -14,4 +14,12 @@ namespace blossom::reports {
 /// kind   "face", "edge" or "solid"
 std::optional<int> entity_number(std::string_view word, std::string_view kind);
 
+/// All numbers from the first to the last.
+struct EntityRange {
+  int first = 0, last = 0;
+};
+
+/// The same, or a range, "5-9"; nothing if it is none, runs backwards, or has more than a million.
+std::optional<EntityRange> entity_range(std::string_view word, std::string_view kind);
+
 }  // namespace blossom::reports

@@ -80,6 +80,7 @@ TEST_F(BlendFillet, TakesEdgesByListByPairOfFacesAndAll) {
   };
   EXPECT_EQ(edges({"--edge", "1,2"}), nlohmann::json::parse("[1,2]"));
   EXPECT_EQ(edges({"--edge", "1", "--edge", "2"}), nlohmann::json::parse("[1,2]"));
+  EXPECT_EQ(edges({"--edges", "1-3,Edge7"}), nlohmann::json::parse("[1,2,3,7]"));
   EXPECT_EQ(edges({"--between", "1,3"}).size(), 1U);
   EXPECT_EQ(edges({"--edges", "all"}).size(), 12U);
   EXPECT_EQ(edges({"--edges", "convex"}).size(), 12U);
@@ -216,6 +217,11 @@ TEST_F(BlendFillet, GivesEdgesRadiiOfTheirOwn) {
   EXPECT_EQ(report["radii"][1]["law"]["radii"], nlohmann::json({1, 2}));
   EXPECT_NEAR(report["volume"]["after"], 1000 - 10 * kCut * (1 + 4 + 7.0 / 3), 0.05);
   EXPECT_TRUE(BRepCheck_Analyzer(occt::read_model(path("out.step")).shape()).IsValid());
+
+  const Finished range = fillet({path("box.step"), "--edge", "1-3:2"});
+  EXPECT_NE(range.out.find("fillet of edge 1 by 2, of edge 2 by 2, of edge 3 by 2"),
+            std::string::npos)
+      << range.out << range.err;
 
   const Finished all = fillet({path("box.step"), "--edge", "1:1,3:2"});
   EXPECT_EQ(all.code, 0) << all.err;

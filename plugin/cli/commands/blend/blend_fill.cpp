@@ -46,9 +46,9 @@ std::vector<std::string> parts_of(const std::string& list) {
 std::vector<int> edges_of(const std::string& list) {
   std::vector<int> edges;
   for (const std::string& part : parts_of(list)) {
-    const std::optional<int> number = reports::entity_number(part, "edge");
-    if (!number) throw UsageError("--edges takes numbers of edges, as 3,7,9, not '" + part + "'");
-    edges.push_back(*number);
+    const auto range = reports::entity_range(part, "edge");
+    if (!range) throw UsageError("--edges takes numbers of edges, as 3,7-9, not '" + part + "'");
+    for (int edge = range->first; edge <= range->last; ++edge) edges.push_back(edge);
   }
   return edges;
 }

@@ -184,7 +184,7 @@ void choose_edges_of_parts(FilletCommand& command, const Input& part) {
     const std::string own = radius == std::string::npos ? "" : word.substr(radius);
     for (const int edge : reports::selection_of(part.model, {word.substr(0, radius)}).edges)
       read_size("--edges",
-                [&] { reports::choose_edge(std::to_string(edge) + own, command.chosen); });
+                [&] { reports::choose_edges(std::to_string(edge) + own, command.chosen); });
   }
   command.fillet.own = command.chosen.own;
 }
@@ -286,8 +286,8 @@ void read_edges(FilletCommand& command) {
     reports::EdgeChoice tried;
     if (slash != std::string::npos) command.of_parts.push_back(word);
     read_size("--edges", [&] {
-      reports::choose_edge(word.substr(slash + 1),
-                           slash == std::string::npos ? command.chosen : tried);
+      reports::choose_edges(word.substr(slash + 1),
+                            slash == std::string::npos ? command.chosen : tried);
     });
     if (tried.own.empty() && slash != std::string::npos) command.has_bare_edge = true;
   }
@@ -329,7 +329,7 @@ void add_blend_fillet(CLI::App& blend, int& exit_code) {
   const auto options = std::make_shared<FilletCommand>();
   CLI::App* const command = add_edges_command(
       blend, "fillet", "edges of solids rounded by a ball that rolls along them",
-      "numbers as info --edges prints them, or edges of parts: 3,5,7 or Bolt/Edge3; 12:5 or "
+      "numbers as info --edges prints them, or edges of parts: 3,5-7 or Bolt/Edge3; 12:5 or "
       "12:2..5 with a radius of its own",
       options);
   command
@@ -370,7 +370,7 @@ void add_blend_chamfer(CLI::App& blend, int& exit_code) {
   const auto options = std::make_shared<FilletCommand>();
   CLI::App* const command = add_edges_command(
       blend, "chamfer", "edges of solids cut off",
-      "numbers as info --edges prints them, or edges of parts: 3,5,7 or Bolt/Edge3", options);
+      "numbers as info --edges prints them, or edges of parts: 3,5-7 or Bolt/Edge3", options);
   command
       ->add_option("--distance", options->size,
                    "of the borders from the edge, mm; 1,2: on the face of the smaller number, on "
