@@ -132,6 +132,13 @@ TEST_F(QueryPlanes, CutsAtEvenOffsetsWithBothEnds) {
   }
 }
 
+TEST_F(QueryPlanes, CutsAtOneOffset) {
+  const json found = report({"--offsets", "-0.5", "--point", "0,0,2"});
+  ASSERT_EQ(found["planes"].size(), 1u);
+  EXPECT_EQ(found["planes"][0]["offset"], -0.5);
+  EXPECT_EQ(found["planes"][0]["point"], json({0, 0, 1.5}));
+}
+
 // Twice the area within a wire, positive if it runs counter-clockwise.
 double doubled_area(const json& part, const json& wire) {
   std::vector<std::pair<double, double>> points;

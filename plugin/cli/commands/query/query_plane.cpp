@@ -141,7 +141,9 @@ std::vector<reports::NamedPlane> planes_of(const PlaneCommand& options) {
 void check_question(const PlaneCommand& options) {
   if (!options.offsets.empty() || !options.planes.empty()) return;
   if (options.point.empty())
-    throw UsageError("query plane needs --point X,Y,Z (a point of the plane)");
+    throw UsageError(
+        "query plane needs --point X,Y,Z (a point of the plane), --offsets FROM:TO:NUMBER or "
+        "--planes FILE");
   if (options.normal.empty())
     throw UsageError("query plane needs --normal X,Y,Z (its normal; of any length)");
 }
@@ -191,7 +193,8 @@ void add_query_plane(CLI::App& query, int& exit_code) {
       command
           ->add_option("--offsets", options->offsets,
                        "so many planes instead of one, from the first offset along the normal to "
-                       "the last; the point is then 0,0,0 and the normal 0,0,1 unless given")
+                       "the last, or one at an offset; the point is then 0,0,0 and the normal "
+                       "0,0,1 unless given")
           ->type_name("FROM:TO:NUMBER");
   command
       ->add_option("--planes", options->planes,

@@ -144,7 +144,10 @@ std::vector<NamedPlane> planes_at(const std::string& offsets, const occt::Plane&
     return finite_value(offsets.substr(begin, end - begin));
   };
   std::optional<double> from, to, count;
-  if (first != std::string::npos && second != std::string::npos) {
+  if (first == std::string::npos) {
+    from = to = finite_value(offsets);
+    count = 1;
+  } else if (second != std::string::npos) {
     from = number(0, first);
     to = number(first + 1, second);
     count = number(second + 1, std::string::npos);
@@ -152,7 +155,8 @@ std::vector<NamedPlane> planes_at(const std::string& offsets, const occt::Plane&
   if (!from || !to || !count || *count != std::floor(*count) || *count < 1 || *count > kMaxPlanes ||
       (*count == 1 && *from != *to))
     throw UsageError("--offsets: '" + offsets +
-                     "' is not FROM:TO:NUMBER, so many planes from the first offset to the last");
+                     "' is neither one offset nor FROM:TO:NUMBER, so many planes from the first "
+                     "offset to the last");
   std::vector<NamedPlane> planes;
   const auto all = static_cast<int>(*count);
   for (int i = 0; i < all; ++i) {
