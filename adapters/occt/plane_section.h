@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Geom2d_BSplineCurve.hxx>
@@ -65,6 +66,9 @@ struct SectionWire {
   bool closed = false;
   double length = 0;     ///< model units
   bool bounding = true;  ///< as its curves, all or none
+  /// Of a closed wire: what it encloses, positive if it runs counter-clockwise seen from the tip of
+  /// the normal. Off by no more than the length times how far the curves are off. Model units
+  std::optional<double> area{};
 };
 
 struct SectionPlace {
@@ -122,6 +126,10 @@ class SectionedFaces {
 /// Turns closed wires so that, seen from the tip of the normal, outer ones run counter-clockwise
 /// and holes clockwise: those inside of an odd number of others that bound. By polygons of samples.
 void orient_wires(PlaneSection& section, const Plane& plane);
+
+/// What bounding wires enclose, holes taken off, of a section whose wires are oriented: the area
+/// that plane and solid have in common. Nothing if a wire that bounds is open. Model units
+std::optional<double> bounded_area(const PlaneSection& section);
 
 /// A wire of edges for each wire, which share their vertices, and a vertex for each point.
 /// throws   Failure if Open CASCADE makes no edge

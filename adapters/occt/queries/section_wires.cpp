@@ -5,12 +5,16 @@
 #include <cmath>
 
 #include <BRep_Builder.hxx>
+#include <GeomAbs_Shape.hxx>
+#include <GeomAdaptor_Curve.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
+#include "core/math/functions/quadrature.h"
 
 namespace blossom::occt {
 namespace {
@@ -97,6 +101,33 @@ TopoDS_Edge edge_of(const SectionCurve& curve, const std::vector<TopoDS_Vertex>&
   return edge;
 }
 
+// By Green's theorem, round the start of the wire; the spans of a spline are smooth.
+double area_in(const PlaneSection& section, const SectionWire& wire, const Vec3& normal) {
+  const Vec3 origin = section.curves[wire.uses.front().curve].samples.front();
+  double twice = 0;
+  for (const CurveUse& use : wire.uses) {
+    const SectionCurve& curve = section.curves[use.curve];
+    const auto swept = [&](double t) {
+      gp_Pnt point;
+      gp_Vec along;
+      curve.curve->D1(t, point, along);
+      return dot(normal, cross(vec(point) - origin, vec(along)));
+    };
+    const GeomAdaptor_Curve spans(curve.curve, curve.range.from, curve.range.to);
+    TColStd_Array1OfReal knots(1, spans.NbIntervals(GeomAbs_CN) + 1);
+    spans.Intervals(knots, GeomAbs_CN);
+    const double tolerance = std::max(kMinTolerance, curve.tolerance) * curve.length;
+    for (int i = 1; i < knots.Length(); ++i)
+      twice += (use.forward ? 1 : -1) * integral(swept, knots(i), knots(i + 1), tolerance).value;
+  }
+  return 0.5 * twice;
+}
+
+void measure_areas(PlaneSection& section, const Vec3& normal) {
+  for (SectionWire& wire : section.wires)
+    if (wire.closed && !wire.area) wire.area = area_in(section, wire, normal);
+}
+
 }  // namespace
 
 void chain_wires(PlaneSection& section, const Vec3& normal) {
@@ -111,6 +142,7 @@ void chain_wires(PlaneSection& section, const Vec3& normal) {
       section.wires.push_back(wire_from(end, section, partner, used));
       if (lone) section.wires.back().closed = true;
     }
+  measure_areas(section, normal);
 }
 
 namespace {
@@ -139,16 +171,6 @@ Polygon polygon_of(const PlaneSection& section, const SectionWire& wire, const V
     polygon.high[k] = (*high)[k];
   }
   return polygon;
-}
-
-double signed_area(const std::vector<Vec2>& polygon) {
-  double area = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 p = polygon[i] - polygon.front();
-    const Vec2 q = polygon[(i + 1) % polygon.size()] - polygon.front();
-    area += 0.5 * (p[0] * q[1] - p[1] * q[0]);
-  }
-  return area;
 }
 
 bool box_holds(const Polygon& polygon, const Vec2& point) {
@@ -182,19 +204,31 @@ void orient_wires(PlaneSection& section, const Plane& plane) {
   const Vec3 n = unit(plane.normal);
   const Vec3 x = unit(cross(n, std::abs(n[0]) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
   const Vec3 y = cross(n, x);
+  measure_areas(section, n);
   std::vector<Polygon> polygons;
   for (const SectionWire& wire : section.wires) polygons.push_back(polygon_of(section, wire, x, y));
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    if (!section.wires[i].closed) continue;
+    SectionWire& wire = section.wires[i];
+    if (!wire.closed) continue;
     int around = 0;
     for (std::size_t j = 0; j < polygons.size(); ++j)
       if (i != j && section.wires[j].closed && section.wires[j].bounding)
         around += lies_in(polygons[i], polygons[j]) ? 1 : 0;
-    if ((signed_area(polygons[i].points) > 0) == (around % 2 == 0)) continue;
-    std::vector<CurveUse>& uses = section.wires[i].uses;
-    std::ranges::reverse(uses);
-    for (CurveUse& use : uses) use.forward = !use.forward;
+    if ((*wire.area > 0) == (around % 2 == 0)) continue;
+    std::ranges::reverse(wire.uses);
+    for (CurveUse& use : wire.uses) use.forward = !use.forward;
+    wire.area = -*wire.area;
   }
+}
+
+std::optional<double> bounded_area(const PlaneSection& section) {
+  double sum = 0;
+  for (const SectionWire& wire : section.wires) {
+    if (!wire.bounding) continue;
+    if (!wire.area) return std::nullopt;
+    sum += *wire.area;
+  }
+  return sum;
 }
 
 TopoDS_Compound compound_of(const PlaneSection& section) {

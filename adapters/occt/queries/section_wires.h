@@ -7,7 +7,7 @@
 
 namespace blossom::occt {
 
-/// Fills `wires` from curves and nodes. Where more than two curves end in a node,
+/// Fills `wires` from curves and nodes, with their areas. Where more than two curves end in a node,
 /// those that are neighbours by angle go on into each other, so that wires touch but do not cross.
 /// normal   unit vector of the plane
 void chain_wires(PlaneSection& section, const Vec3& normal);

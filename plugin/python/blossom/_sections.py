@@ -29,13 +29,17 @@ class SectionCurve(FoundCurve):
 class Wire(Record):
     """Curves that follow each other: places in the section's curves, and whether each is walked
     forward. One that does not bound lies inside of what plane and solid have in common, or the
-    solid only touches the plane there."""
+    solid only touches the plane there.
+
+    area   what a closed one encloses, holes not taken off; None of an open one
+    """
 
     curves: List[Tuple[int, bool]]
     closed: bool
     length: float
     points: Array
     bounding: bool
+    area: Optional[float]
 
 
 def _curves(told: Report, splines: Sequence[Dict[str, Any]]) -> List[SectionCurve]:
@@ -55,7 +59,9 @@ def _wires(told: Report) -> List[Wire]:
         uses = [(use["curve"], use["forward"]) for use in wire["curves"]]
         pieces = [points[i] if forward else points[i][::-1] for i, forward in uses]
         line = np.concatenate(pieces)
-        wires.append(Wire(uses, wire["closed"], wire["length"], line, wire["bounding"]))
+        wires.append(
+            Wire(uses, wire["closed"], wire["length"], line, wire["bounding"], wire["area"])
+        )
     return wires
 
 
@@ -119,12 +125,14 @@ class PartSection(Record):
 
     part     its name
     solid    whether it is a closed solid
+    area     what its bounding wires enclose, without holes; None if one of them is open
     points   where it only touches the plane, (n, 3)
     """
 
     part: str
     solid: bool
     status: str
+    area: Optional[float]
     wires: List[Wire]
     curves: List[SectionCurve]
     points: Array
@@ -156,6 +164,12 @@ class PlaneSection(Record):
         """Of all wires."""
         return sum(wire.length for wire in self.wires)
 
+    @property
+    def area(self) -> Optional[float]:
+        """Of all parts; None if that of one is."""
+        areas = [part.area for part in self.parts if part.area is not None]
+        return sum(areas) if len(areas) == len(self.parts) else None
+
 
 class Sections(Drawable):
     """The sections of a model with many planes, part by part; a list of planes. Its shape has a
@@ -177,6 +191,7 @@ class Sections(Drawable):
                         part=part["part"],
                         solid=part["solid"],
                         status=part["status"],
+                        area=part["area"],
                         wires=_wires(part),
                         curves=_curves(part, own),
                         points=_points(part),

@@ -2,7 +2,9 @@
 #include "plugin/reports/queries/section.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "plugin/reports/cuts/intersection.h"
 #include "plugin/reports/models/repairs.h"
@@ -39,6 +41,7 @@ Json wire_json(const occt::SectionWire& wire) {
   Json json = {{"closed", wire.closed},
                {"bounding", wire.bounding},
                {"length", wire.length},
+               {"area", wire.area ? Json(std::abs(*wire.area)) : Json()},
                {"curves", Json::array()}};
   for (const occt::CurveUse& use : wire.uses)
     json["curves"].push_back({{"curve", use.curve}, {"forward", use.forward}});
@@ -75,8 +78,11 @@ Json plane_json(const SectionsOfPlane& of, const ShapeNumbers& numbers) {
                {"offset", plane.offset ? Json(*plane.offset) : Json()},
                {"parts", Json::array()}};
   for (const PartSection& part : of.parts) {
-    Json section = {
-        {"part", part.name}, {"solid", part.solid}, {"status", to_string(part.section.status)}};
+    const std::optional<double> area = occt::bounded_area(part.section);
+    Json section = {{"part", part.name},
+                    {"solid", part.solid},
+                    {"status", to_string(part.section.status)},
+                    {"area", area ? Json(*area) : Json()}};
     add_section(part.section, part.numbers, numbers, section);
     json["parts"].push_back(std::move(section));
   }

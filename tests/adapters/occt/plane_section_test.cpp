@@ -190,20 +190,34 @@ TEST(PlaneSection, TouchesAVertexOrAnEdge) {
   EXPECT_TRUE(edge.points.empty());
 }
 
-// The area that closed bounding wires enclose, holes taken off.
-double bounded_area(PlaneSection section, const Plane& plane) {
+double oriented_area(PlaneSection section, const Plane& plane) {
   orient_wires(section, plane);
-  double twice = 0;
-  for (const SectionWire& wire : section.wires) {
-    if (!wire.closed || !wire.bounding) continue;
-    for (const CurveUse& use : wire.uses) {
-      const SectionCurve& curve = section.curves[use.curve];
-      const auto point = [&](int i) { return vec(curve.curve->Value(at(curve.range, i / 512.0))); };
-      for (int i = 0; i < 512; ++i)
-        twice += (use.forward ? 1 : -1) * dot(plane.normal, cross(point(i), point(i + 1)));
-    }
+  return bounded_area(section).value_or(-1);
+}
+
+TEST(PlaneSection, KnowsWhatItsWiresEnclose) {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(2, 20).Shape();
+  const Plane oblique{{0, 0, 10}, {1, 0, -1}};
+  const PlaneSection ellipse = section_of(cylinder, oblique.point, oblique.normal);
+  EXPECT_NEAR(oriented_area(ellipse, oblique), 4 * kPi * std::sqrt(2), 1e-9);
+  ASSERT_EQ(ellipse.wires.size(), 1u);
+  EXPECT_NEAR(std::abs(ellipse.wires[0].area.value()), 4 * kPi * std::sqrt(2), 1e-9);
+
+  // Two outlines that are splines. Their widths at a height follow from the circles there.
+  const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(4, 1).Shape();
+  const Plane across{{0.5, 0, 0}, {1, 0, 0}};
+  double area = 0;  // by the midpoint rule over the angle, which is exact but for 1e-10 here
+  constexpr int kSteps = 200;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = kPi * (i + 0.5) / kSteps;
+    const double half = std::sin(angle), outer = 4 + half, inner = 4 - half;
+    const double width = std::sqrt(outer * outer - 0.25) - std::sqrt(inner * inner - 0.25);
+    area += 2 * width * half * kPi / kSteps;
   }
-  return 0.5 * twice;
+  EXPECT_NEAR(oriented_area(section_of(torus, across.point, across.normal), across), area, 1e-6);
+
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  EXPECT_FALSE(bounded_area(plane_section({faces_of(box)[0]}, {{0, 0, 0.5}, {0, 0, 1}})));
 }
 
 double length_inside(const PlaneSection& section) {
@@ -220,7 +234,7 @@ TEST(PlaneSection, AtAStepHasTheWholeOutlineAndTheStepsEdgeInside) {
     const TopoDS_Shape part = BRepAlgoAPI_Fuse(low, high).Shape();
     const PlaneSection section = section_of(part, {0, 0, 5}, {0, 0, 1});
     EXPECT_EQ(section.status, Status::Complete);
-    EXPECT_NEAR(bounded_area(section, {{0, 0, 5}, {0, 0, 1}}), 100, 1e-9);
+    EXPECT_NEAR(oriented_area(section, {{0, 0, 5}, {0, 0, 1}}), 100, 1e-9);
     EXPECT_NEAR(length_inside(section), inside, 1e-9);
   }
 }
@@ -245,7 +259,7 @@ TEST(PlaneSection, CutsACurveWhereItBeginsToRunAlongAnEdgeInThePlane) {
   EXPECT_EQ(section.status, Status::Complete);
   const double angle = std::acos(0.0);  // the box's sides go through the ball's axis
   EXPECT_NEAR(length_inside(section), 4 * angle, 1e-6);
-  EXPECT_NEAR(bounded_area(section, {{0, 0, 3}, {0, 0, 1}}), 0.75 * 16 * kPi + 36, 1e-3);
+  EXPECT_NEAR(oriented_area(section, {{0, 0, 3}, {0, 0, 1}}), 0.75 * 16 * kPi + 36, 1e-9);
   EXPECT_EQ(closed_wires(section), 1u);
   // A pocket's wall in the plane, and the block's own face on both sides of it.
   const TopoDS_Shape block = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
@@ -253,7 +267,7 @@ TEST(PlaneSection, CutsACurveWhereItBeginsToRunAlongAnEdgeInThePlane) {
   const Plane wall{{5, 0, 0}, {1, 0, 0}};
   const PlaneSection through =
       section_of(BRepAlgoAPI_Cut(block, pocket).Shape(), wall.point, wall.normal);
-  EXPECT_NEAR(bounded_area(through, wall), 100, 1e-9);
+  EXPECT_NEAR(oriented_area(through, wall), 100, 1e-9);
   EXPECT_NEAR(length_inside(through), 11, 1e-9);
 }
 
@@ -278,7 +292,7 @@ TEST(PlaneSection, BoundsNothingWhereASolidOnlyTouches) {
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 2).Shape();
   EXPECT_EQ(length_inside(section_of(cylinder, {0, 0, 0}, {0, 1, 0})), 0);
   for (const double z : {0.0, 2.0})
-    EXPECT_NEAR(bounded_area(section_of(cylinder, {0, 0, z}, {0, 0, 1}), {{0, 0, z}, {0, 0, 1}}),
+    EXPECT_NEAR(oriented_area(section_of(cylinder, {0, 0, z}, {0, 0, 1}), {{0, 0, z}, {0, 0, 1}}),
                 kPi, 0.01);
 }
 

@@ -139,6 +139,19 @@ TEST_F(QueryPlanes, CutsAtOneOffset) {
   EXPECT_EQ(found["planes"][0]["point"], json({0, 0, 1.5}));
 }
 
+TEST_F(QueryPlanes, TellsAreasWithoutHoles) {
+  const json found = report({"--offsets", "2"});
+  const json& parts = found["planes"][0]["parts"];
+  EXPECT_NEAR(parts[0]["area"], 200 - 9 * pi, 1e-9);
+  EXPECT_NEAR(parts[0]["wires"][0]["area"], 200, 1e-9);
+  EXPECT_NEAR(parts[0]["wires"][1]["area"], 9 * pi, 1e-9);
+  EXPECT_NEAR(parts[1]["area"], 4 * pi, 1e-9);
+  const Finished told = run({"--offsets", "2"});
+  EXPECT_NE(told.out.find("area 184.292"), std::string::npos) << told.out;  // 200 - 5 pi
+  const Finished single = run({"--point", "0,0,2", "--normal", "0,0,1"});
+  EXPECT_NE(single.out.find(", area 200\n"), std::string::npos) << single.out;
+}
+
 // Twice the area within a wire, positive if it runs counter-clockwise.
 double doubled_area(const json& part, const json& wire) {
   std::vector<std::pair<double, double>> points;

@@ -23,6 +23,7 @@ class Sections(unittest.TestCase):
         self.assertEqual([plane.offset for plane in made], [0, 5, 21])
         self.assertEqual([plane.length for plane in made], [200, 200, 0])
         self.assertEqual([len(plane.parts) for plane in made], [1, 1, 0])
+        np.testing.assert_allclose([plane.area for plane in made], [2400, 2400, 0])
         self.assertEqual(made[1].name, "plane 2, offset 5")
         np.testing.assert_allclose(made[1].normal, (0, 0, 1))
         np.testing.assert_allclose(made[1].wires[0].points[:, 2], 5)
@@ -36,6 +37,7 @@ class Sections(unittest.TestCase):
         part = made[0].parts[0]
         self.assertEqual((part.part, part.solid, part.status), ("Drill", True, "complete"))
         self.assertAlmostEqual(part.wires[0].length, 2 * math.pi * 8, 6)
+        self.assertAlmostEqual(part.wires[0].area, math.pi * 64, 6)
         self.assertEqual(part.curves[0].degree, 2)
         self.assertEqual(part.curves[0].weights.shape, part.curves[0].poles.shape[:1])
 

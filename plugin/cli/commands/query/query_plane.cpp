@@ -2,6 +2,7 @@
 // `blossom query plane F --point P --normal N`: the section of a model with a plane, or with many.
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -81,10 +82,12 @@ std::string text_of(const Input& input, const Answer& answer) {
     text << ", " << counted(contacts, "contact") << " within tolerance";
   if (open > 0) text << ", " << counted(open, "unresolved region");
   text << ", " << seconds_text(answer.seconds) << "\n";
-  for (const occt::SectionWire& wire : section.wires)
+  for (const occt::SectionWire& wire : section.wires) {
     text << "  " << (wire.closed ? "closed" : "open") << ", " << counted(wire.uses.size(), "curve")
-         << ", length " << wire.length
-         << (wire.bounding ? "\n" : ", inside the section or only touching\n");
+         << ", length " << wire.length;
+    if (wire.bounding && wire.area) text << ", area " << std::abs(*wire.area);
+    text << (wire.bounding ? "\n" : ", inside the section or only touching\n");
+  }
   for (const std::size_t node : section.points)
     text << "  point " << vector_text(without_roundings(section.nodes[node].point)) << "\n";
   list_places(input, section, text);

@@ -59,7 +59,10 @@ std::string not_proven(const SectionsOfPlane& plane) {
 std::string plane_line(const SectionsOfPlane& plane) {
   std::size_t wires = 0, open = 0, inner = 0, points = 0;
   double length = 0;
+  std::optional<double> area = 0;
   for (const PartSection& part : plane.parts) {
+    const std::optional<double> own = occt::bounded_area(part.section);
+    area = area && own ? std::optional(*area + *own) : std::nullopt;
     points += part.section.points.size();
     for (const occt::SectionWire& wire : part.section.wires) {
       ++wires;
@@ -73,6 +76,7 @@ std::string plane_line(const SectionsOfPlane& plane) {
   if (inner > 0) text += " (" + std::to_string(inner) + " inside or only touching)";
   if (points > 0) text += ", " + counted(points, "point");
   if (wires > 0) text += ", length " + number_text(rounded(length));
+  if (area && *area > 0) text += ", area " + number_text(rounded(*area));
   if (plane.parts.size() > 1) text += ", " + counted(plane.parts.size(), "part");
   return text + "\n" + not_proven(plane);
 }

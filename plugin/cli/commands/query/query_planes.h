@@ -13,7 +13,9 @@
 namespace blossom::cli {
 
 /// Parallel planes: `FROM:TO:NUMBER`, so many at even steps from the first offset to the last one;
-/// or one at an offset. throws   UsageError unless it is that; a single one takes equal offsets
+/// or one at an offset.
+///
+/// throws   UsageError unless it is that; a single one takes equal offsets
 std::vector<reports::NamedPlane> planes_at(const std::string& offsets, const occt::Plane& plane);
 
 /// Those of a file: each line has six numbers, a point and a normal, by commas or spaces, and
