@@ -110,6 +110,7 @@ def section_has_closed_wires(document):
         "as long as by hand",
         near(cut.Length, 4 * 2 * math.pi * 7) and near(cut.Shape.Length, cut.Length),
     )
+    claim("enclosing as much as by hand", near(cut.Area, 4 * math.pi * 7))
     claim(
         "at their heights",
         sorted({round(v.Z, 9) for v in cut.Shape.Vertexes}) == [5, 7.5, 10, 12.5],

@@ -35,6 +35,7 @@ class Section(Feature):
         Fact("Wires", "count", "How many wires there are"),
         Fact("Closed", "count", "How many of them are closed"),
         Fact("Length", "length", "Of all wires, mm"),
+        Fact("Area", "area", "Inside of the wires, without holes, square mm; 0 if one is open"),
         Fact("WiresOfPlanes", "counts", "How many wires each plane makes"),
     )
 
@@ -85,12 +86,14 @@ class Section(Feature):
             for plane in report["planes"]
         ]
         wires = [wire for plane in planes for wire in plane]
+        areas = [part["area"] for plane in report["planes"] for part in plane["parts"]]
         return {
             "Status": report["status"],
             "Reasons": reasons_of(report),
             "Wires": len(wires),
             "Closed": sum(wire["closed"] for wire in wires),
             "Length": sum(wire["length"] for wire in wires),
+            "Area": 0.0 if None in areas else float(sum(areas)),
             "WiresOfPlanes": [len(plane) for plane in planes],
         }
 
