@@ -78,11 +78,11 @@ claim "and no others" test ! -e "$include/core/cells" -a ! -e "$include/core/tra
 builds_by_pkg_config() {
   local flags
   flags=$(PKG_CONFIG_PATH=$1/lib/pkgconfig pkg-config --cflags --libs blossom) &&
-    c++ -std=c++20 -w -o "$folder/lid_on_a_bowl" "$source/samples/installed_package/lid_on_a_bowl.cpp" \
+    c++ -std=c++20 -Werror -o "$folder/lid_on_a_bowl" "$source/samples/installed_package/lid_on_a_bowl.cpp" \
       $flags && bare "$folder/lid_on_a_bowl" >/dev/null
 }
 if command -v pkg-config >/dev/null; then
-  claim "pkg-config has all that a program needs" builds_by_pkg_config "$folder/opt/somewhere"
+  claim "pkg-config has all that a program needs, which compiles without a warning" builds_by_pkg_config "$folder/opt/somewhere"
 fi
 
 # DRAW always exits with 0, so what it prints decides.
