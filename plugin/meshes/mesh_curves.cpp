@@ -147,6 +147,17 @@ Json mesh_pair_report(const MeshPair& pair) {
   return json;
 }
 
+namespace {
+
+Json area_json(const PlaneOfMesh& plane) {
+  occt::PlaneSection section = section_of(plane.found);
+  occt::orient_wires(section, plane.plane);
+  const std::optional<double> area = occt::bounded_area(section);
+  return area ? Json(*area) : Json();
+}
+
+}  // namespace
+
 Json mesh_sections_report(const std::string& file, Status status,
                           const std::vector<PlaneOfMesh>& planes, double seconds) {
   Json json = {{"schema", "blossom.mesh-sections/1"},
@@ -160,7 +171,8 @@ Json mesh_sections_report(const std::string& file, Status status,
     Json of = {{"name", plane.name},
                {"point", plane.plane.point.coordinates},
                {"normal", plane.plane.normal.coordinates},
-               {"offset", plane.offset ? Json(*plane.offset) : Json()}};
+               {"offset", plane.offset ? Json(*plane.offset) : Json()},
+               {"area", area_json(plane)}};
     of.update(curves_json(plane.found));
     json["planes"].push_back(std::move(of));
   }

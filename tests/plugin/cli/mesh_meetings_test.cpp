@@ -108,6 +108,7 @@ TEST_F(MeshMeetings, WithPlanesAreReportedModelledAndDrawn) {
   for (const nlohmann::json& plane : found["planes"]) {
     ASSERT_EQ(plane["curves"].size(), 1u);
     EXPECT_DOUBLE_EQ(plane["curves"][0]["length"].get<double>(), 8);
+    EXPECT_DOUBLE_EQ(plane["area"].get<double>(), 4);
   }
   const std::string dxf = text_of(path("cuts.dxf"));
   EXPECT_NE(dxf.find("PLANE_3"), std::string::npos);

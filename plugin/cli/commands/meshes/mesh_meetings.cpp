@@ -117,9 +117,12 @@ std::string text_of(const std::string& input, const SectionsAnswer& answer,
   std::ostringstream text;
   text << input << ": " << to_string(answer.status) << ", " << counted(planes.size(), "plane")
        << ", " << seconds_text(answer.seconds) << "\n";
-  for (const PlaneOfMesh& plane : planes)
-    text << "  " << plane.name << ": " << counts_text(plane.found) << "\n"
-         << notes_text(plane.found, "plane", "triangles lie in the plane");
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const std::optional<double> area = occt::bounded_area(answer.planes[i].parts.front().section);
+    text << "  " << planes[i].name << ": " << counts_text(planes[i].found);
+    if (area && *area > 0) text << ", area " << number_text(rounded(*area));
+    text << "\n" << notes_text(planes[i].found, "plane", "triangles lie in the plane");
+  }
   return text.str();
 }
 
