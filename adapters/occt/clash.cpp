@@ -154,6 +154,11 @@ class ClashSearch {
         return best * best;
       }
       Clash pair = apart(a, b, best);
+      if (!pair.obstacles.empty()) {
+        known_.emplace(std::pair(a, b), found_.pairs.size());
+        found_.pairs.push_back(std::move(pair));
+        return best * best;
+      }
       if (pair.measured && pair.upper < best) {
         best = pair.upper;
         nearest = std::move(pair);
@@ -173,8 +178,9 @@ class ClashSearch {
     const bool scaled = std::abs(std::abs(part.Location().Transformation().ScaleFactor()) - 1) > 0;
     if (made != prototypes_.end() && !scaled)
       return bodies_[i].emplace(part, bodies_[made->second]->boundary().moved_to(part));
+    Bodies& own = bodies_[i].emplace(part);
     if (!scaled) prototypes_.emplace(part.TShape().get(), i);
-    return bodies_[i].emplace(part);
+    return own;
   }
 
   DistanceOptions distance_options() const {
@@ -210,13 +216,22 @@ class ClashSearch {
   }
 
   // A pair whose boxes are apart.
-  Clash apart(std::size_t a, std::size_t b, double enough) {
+  Clash apart(std::size_t a, std::size_t b, double enough) try {
     Clash pair = with_distance(a, b, enough);
     pair.relation = pair.lower > 0 ? Relation::Disjoint : Relation::Unknown;
     return pair;
+  } catch (const BadModel& error) {
+    return not_measured(a, b, error.what());
   }
 
-  Clash looked_at(std::size_t a, std::size_t b) {
+  // A damaged face is no reason to say nothing of all other pairs.
+  static Clash not_measured(std::size_t a, std::size_t b, const char* cause) {
+    Clash pair{.a = a, .b = b, .upper = kEndless, .measured = false};
+    leave_open(std::string("they cannot be measured: ") + cause, pair);
+    return pair;
+  }
+
+  Clash looked_at(std::size_t a, std::size_t b) try {
     if (limit_.is_reached())
       return {.a = a, .b = b, .status = Status::Stopped, .upper = kEndless, .measured = false};
     Clash pair = with_distance(a, b, options_.clearance.value_or(kEndless));
@@ -226,6 +241,8 @@ class ClashSearch {
     if (solids && pair.relation == Relation::Crossing) find_common_body(pair);
     if (one_holds_the_other(pair.relation)) take_held_body(pair);
     return pair;
+  } catch (const BadModel& error) {
+    return not_measured(a, b, error.what());
   }
 
   void relate(Clash& pair) {
@@ -282,8 +299,8 @@ class ClashSearch {
     leave_open(error.what(), pair);
   }
 
-  static void leave_open(const char* cause, Clash& pair) {
-    pair.obstacles.emplace_back(cause);
+  static void leave_open(std::string cause, Clash& pair) {
+    pair.obstacles.push_back(std::move(cause));
     pair.status = weaker(pair.status, Status::Tolerance);
   }
 

@@ -48,7 +48,7 @@ struct Clash {
   Relation relation = Relation::Unknown;
   Status status = Status::Complete;
   double lower = 0, upper = 0;    ///< bounds on the distance of the boundaries, model units
-  bool measured = true;           ///< false: only known to be more than the clearance, `lower`
+  bool measured = true;           ///< false: only known to be more than `lower`, as the clearance
   ShapePoint near_a{}, near_b{};  ///< where `upper` is taken
   std::vector<BodyContact> contacts{};   ///< of parts that touch; of the highest kind first
   std::optional<CommonBody> common{};    ///< of solids that penetrate or hold each other
@@ -72,11 +72,11 @@ struct Clashes {
 /// Looks at all pairs of parts whose boxes come near each other.
 ///
 /// Parts are closed solids, or faces that bound none, which have no inside. Those that are one
-/// shape at several places are made ready once.
+/// shape at several places are made ready once. One that cannot be measured leaves its pairs open,
+/// with the cause among their obstacles.
 ///
 /// first_of_b   parts from this one on are those of a second model, and pairs have one of each; 0:
 ///              all pairs
-/// throws       BadModel if a part cannot be measured
 Clashes clashes_of(const std::vector<TopoDS_Shape>& parts, const ClashOptions& options,
                    std::size_t first_of_b = 0);
 

@@ -62,22 +62,28 @@ std::string contact_text(const occt::Clash& clash) {
 std::string details(const ClashRow& row, const ClashAnswer& answer) {
   if (row.clash == nullptr) return "at least " + number(row.lower);
   const occt::Clash& clash = *row.clash;
-  std::string text;
+  std::vector<std::string> told;
   if (clash.relation == occt::Relation::AInsideB)
-    text = displayed_name(answer, row.a) + " is inside, ";
+    told.push_back(displayed_name(answer, row.a) + " is inside");
   if (clash.relation == occt::Relation::BInsideA)
-    text = displayed_name(answer, row.b) + " is inside, ";
+    told.push_back(displayed_name(answer, row.b) + " is inside");
   if (clash.common)
-    text += "volume " + number(clash.common->volume) + " mm³, depth " +
-            bounds(clash.common->lower, clash.common->upper) + ", deepest at " +
-            vector_text({rounded(clash.common->deepest[0]), rounded(clash.common->deepest[1]),
-                         rounded(clash.common->deepest[2])});
-  if (!clash.contacts.empty()) text += contact_text(clash);
+    told.push_back(
+        "volume " + number(clash.common->volume) + " mm³, depth " +
+        bounds(clash.common->lower, clash.common->upper) + ", deepest at " +
+        vector_text({rounded(clash.common->deepest[0]), rounded(clash.common->deepest[1]),
+                     rounded(clash.common->deepest[2])}));
+  if (!clash.contacts.empty()) told.push_back(contact_text(clash));
   if (clash.relation == occt::Relation::Disjoint)
-    text += clash.measured ? "distance " + bounds(clash.lower, clash.upper)
-                           : "more than " + number(clash.lower);
-  for (const std::string& obstacle : clash.obstacles) text += (text.empty() ? "" : "; ") + obstacle;
-  if (clash.status != Status::Complete) text += std::string(", ") + to_string(clash.status);
+    told.push_back(clash.measured ? "distance " + bounds(clash.lower, clash.upper)
+                                  : "more than " + number(clash.lower));
+  std::string obstacles;
+  for (const std::string& obstacle : clash.obstacles)
+    obstacles += (obstacles.empty() ? "" : "; ") + obstacle;
+  if (!obstacles.empty()) told.push_back(obstacles);
+  if (clash.status != Status::Complete) told.emplace_back(to_string(clash.status));
+  std::string text;
+  for (const std::string& each : told) text += (text.empty() ? "" : ", ") + each;
   return text;
 }
 
@@ -118,7 +124,9 @@ std::string clash_text(const ClashAnswer& answer) {
   if (answer.lists_far)
     rows = reports::rows_of(answer, reports::ClashRows::All);
   else if (verbosity() != Verbosity::Verbose)
-    std::erase_if(rows, [](const ClashRow& row) { return !row.clash->measured; });
+    std::erase_if(rows, [](const ClashRow& row) {
+      return !row.clash->measured && row.clash->obstacles.empty();
+    });
   const auto padded = [](const std::string& word, std::size_t width) {
     return word + std::string(width > word.size() ? width - word.size() : 0, ' ');
   };

@@ -12,6 +12,10 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -19,7 +23,11 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 #include <nlohmann/json.hpp>
 
@@ -48,6 +56,16 @@ TopoDS_Shape rod(double x, double y, double z, double radius, double height) {
 }
 
 using Parts = std::vector<std::pair<std::string, TopoDS_Shape>>;
+
+// Its border goes from the origin to (0, 0, height) and back on the plane x = 0.
+TopoDS_Shape face_of_no_width(double height) {
+  const TopoDS_Vertex low = BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 0));
+  const TopoDS_Vertex high = BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, height));
+  const TopoDS_Edge there = BRepBuilderAPI_MakeEdge(low, high),
+                    back = BRepBuilderAPI_MakeEdge(high, low);
+  const TopoDS_Wire border = BRepBuilderAPI_MakeWire(there, back);
+  return BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3({0, 0, 0}, {1, 0, 0}, {0, 1, 0})), border).Shape();
+}
 
 // A shaft pressed 0.05 into a bearing, a foot under a frame, a ball on it, a lid 2 away from it, a
 // ball inside a box.
@@ -274,6 +292,20 @@ TEST_F(ClashCommand, SeesATorusOfAnyAngles) {
   const std::string file =
       file_of({{"ring", ring}, {"block", box(2.5, -0.5, 0.5, 1, 1, 1)}}, "ring.step");
   EXPECT_EQ(pair_in(report_of({"clash", file}), "ring", "block")["relation"], "penetrates");
+}
+
+TEST_F(ClashCommand, LeavesPairsOfWhatCannotBeMeasuredOpenAndLooksAtTheOthers) {
+  const std::string file = file_of({{"A", box(-1, -1, -1, 2, 2, 2)},
+                                    {"B", box(0.5, 0.5, 0.5, 2, 2, 2)},
+                                    {"C", face_of_no_width(1)}},
+                                   "narrow.brep");
+  const json report = report_of({"clash", file}, 3);
+  EXPECT_EQ(report["counts"]["penetrates"], 1);
+  EXPECT_EQ(report["counts"]["unknown"], 1);
+  const Finished told = blossom({"clash", file});
+  EXPECT_NE(told.out.find("they cannot be measured: the face's parameter box in "),
+            std::string::npos)
+      << told.out << told.err;
 }
 
 TEST_F(ClashCommand, RefusesAModelOfOnePart) {
