@@ -64,6 +64,10 @@ bool has_open_wire(const TopoDS_Face& face);
 /// Whether a face without a wire is all of a surface that has no end.
 bool is_endless(const TopoDS_Face& face);
 
+/// Whether the wires of a face have no width in the parameters of its surface, as where they go to
+/// and fro along one line: nothing of it can be searched.
+bool has_no_width(const TopoDS_Face& face);
+
 /// Lengths in model units; gaps as in `EdgeGaps`, the largest over all uses of the edge.
 struct EdgeSoundness {
   int number = 0;  ///< 1-based, in the order of TopExp::MapShapes

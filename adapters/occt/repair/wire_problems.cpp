@@ -16,6 +16,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/soundness.h"
 #include "core/plane/loops.h"
@@ -158,6 +159,16 @@ bool is_endless(const TopoDS_Face& face) {
   std::array<double, 4> bounds{};
   surface->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
   return std::ranges::any_of(bounds, [](double at) { return Precision::IsInfinite(at); });
+}
+
+bool has_no_width(const TopoDS_Face& face) {
+  if (is_endless(face)) return false;
+  try {
+    parameter_box(face);
+    return false;
+  } catch (const BadModel&) {
+    return true;
+  }
 }
 
 std::vector<Problem> wire_problems(const TopoDS_Face& face) {

@@ -134,6 +134,17 @@ void tell(const occt::Repairs& repairs, const std::filesystem::path& file) {
   for (const std::string& line : reports::details_of(repairs)) detail("  " + line);
 }
 
+// what   the faces have
+void note_left_out(const std::string& file, const std::vector<int>& faces,
+                   const std::string& what) {
+  if (faces.empty()) return;
+  std::vector<std::string> numbers;
+  for (const int face : faces) numbers.push_back(std::to_string(face));
+  const bool one = faces.size() == 1;
+  note(file + (one ? ": face " : ": faces ") + reports::listed(numbers, "and") +
+       (one ? " has " : " have ") + what + (one ? " and is" : " and are") + " left out");
+}
+
 }  // namespace
 
 std::size_t selection_mark(const std::string& text) {
@@ -210,13 +221,10 @@ Input read_input(const std::string& text, Faces need, reports::Repairing repair,
 Input read_usable_input(const std::string& text, Faces need, reports::Repairing repair,
                         reports::LooseFaces loose) {
   Input input = read_input(text, need, repair, loose);
-  std::vector<std::string> dropped;
-  for (const int number : reports::drop_open_faces(input))
-    dropped.push_back(std::to_string(number));
-  if (!dropped.empty())
-    note(text + (dropped.size() == 1 ? ": face " : ": faces ") + reports::listed(dropped, "and") +
-         (dropped.size() == 1 ? " has" : " have") + " lost a border and " +
-         (dropped.size() == 1 ? "is" : "are") + " left out");
+  const auto [open, lines] = reports::drop_unusable_faces(input);
+  note_left_out(text, open, "lost a border");
+  note_left_out(text, lines, "no width");
+  if (!open.empty() || !lines.empty()) leave_faces_out();
   return input;
 }
 

@@ -22,10 +22,15 @@ std::map<std::filesystem::path, occt::ReadingReport>& all_reports() {
   return reports;
 }
 
+bool& faces_are_left_out() {
+  static bool left_out = false;
+  return left_out;
+}
+
 bool shapes_are_lost() {
-  return std::ranges::any_of(all_reports(), [](const auto& entry) {
-    return entry.second.grade() == occt::ReadingGrade::ShapesLost;
-  });
+  return faces_are_left_out() || std::ranges::any_of(all_reports(), [](const auto& entry) {
+           return entry.second.grade() == occt::ReadingGrade::ShapesLost;
+         });
 }
 
 void tell(const std::filesystem::path& file, const occt::ReadingReport& report) {
@@ -46,6 +51,8 @@ void enter_step(const std::string& file, double allowance, std::string_view step
 }
 
 }  // namespace
+
+void leave_faces_out() { faces_are_left_out() = true; }
 
 ReadingPolicy& reading_policy() {
   static ReadingPolicy policy;

@@ -42,6 +42,9 @@ occt::CheckRunner watched_checks(const std::filesystem::path& file);
 /// "complete" back if shapes are missing.
 void add_reading(reports::Json& report);
 
+/// Says that faces of a file are left out of the answer, as if reading had lost them.
+void leave_faces_out();
+
 /// A status as it may be said of an answer: at most Tolerance if shapes are missing.
 Status stated(Status status);
 

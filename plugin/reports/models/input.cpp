@@ -22,16 +22,22 @@ void refuse_open_wires(const Input& input) {
                            " is open and encloses nothing; `blossom check` lists what is wrong");
 }
 
-std::vector<int> drop_open_faces(Input& input) {
+UnusableFaces drop_unusable_faces(Input& input) {
+  if (static_cast<int>(input.numbers.size()) < input.model.face_count()) return {};
   const bool damaged = input.model.reading().grade() == occt::ReadingGrade::ShapesLost;
-  if (!damaged || static_cast<int>(input.numbers.size()) < input.model.face_count()) return {};
-  std::vector<int> kept, dropped;
+  UnusableFaces dropped;
+  std::vector<int> kept;
   std::vector<TopoDS_Face> faces;
   for (std::size_t i = 0; i < input.faces.size(); ++i) {
     const TopoDS_Face& face = input.faces[i];
-    const bool is_open = occt::has_open_wire(face) || occt::is_endless(face);
-    (is_open ? dropped : kept).push_back(input.numbers[i]);
-    if (!is_open) faces.push_back(face);
+    if (damaged && (occt::has_open_wire(face) || occt::is_endless(face))) {
+      dropped.open.push_back(input.numbers[i]);
+    } else if (occt::has_no_width(face)) {
+      dropped.lines.push_back(input.numbers[i]);
+    } else {
+      kept.push_back(input.numbers[i]);
+      faces.push_back(face);
+    }
   }
   if (kept.empty()) return {};
   input.numbers = std::move(kept);

@@ -43,10 +43,16 @@ struct Input {
 /// throws   occt::BadModel, with the file and the face, if a wire that bounds a face is open
 void refuse_open_wires(const Input& input);
 
-/// Takes the faces out of the input of a damaged file that have lost a border: their wires are
-/// open, or they have none and no end. None if the user names faces, or if no other face is left.
-/// returns  their numbers
-std::vector<int> drop_open_faces(Input& input);
+/// Numbers of faces that cannot be searched, and so were taken out of an input.
+struct UnusableFaces {
+  std::vector<int> open{};   ///< of a damaged file: they have lost a border
+  std::vector<int> lines{};  ///< their wires have no width
+};
+
+/// Takes such faces out of an input: of a damaged file those whose wires are open, or that have
+/// none and no end; of any file those without a width. None if the user names faces, or if no other
+/// face is left.
+UnusableFaces drop_unusable_faces(Input& input);
 
 /// The name of a part, or of a face; empty if it is only what Open CASCADE's writer puts there for
 /// none.

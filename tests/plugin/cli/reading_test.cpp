@@ -7,8 +7,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_Plane.hxx>
+#include <TopoDS_Face.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
@@ -94,6 +101,30 @@ TEST_F(Reading, FacesThatHaveLostABorderAreLeftOutAndTold) {
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_NE(run.err.find("open.step: face 2 has lost a border and is left out"), std::string::npos)
       << run.err;
+}
+
+// Two edges on one line round nothing.
+TopoDS_Face face_of_no_width() {
+  const TopoDS_Vertex a = BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 9)).Vertex(),
+                      b = BRepBuilderAPI_MakeVertex(gp_Pnt(4, 0, 9)).Vertex();
+  const TopoDS_Edge there = BRepBuilderAPI_MakeEdge(a, b), back = BRepBuilderAPI_MakeEdge(b, a);
+  TopoDS_Face face;
+  BRep_Builder().MakeFace(face, new Geom_Plane(gp_Pnt(0, 0, 9), gp::DZ()), 1e-7);
+  BRep_Builder().Add(face, BRepBuilderAPI_MakeWire(there, back).Wire());
+  return face;
+}
+
+TEST_F(Reading, FacesOfNoWidthAreLeftOutAndTold) {
+  testing::write({testing::lid(1), face_of_no_width(), testing::lid(2)}, folder / "line.brep");
+  const std::string file = folder / "line.brep";
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"self-intersect", "--faces", file},
+        {"query", "ray", file, "--from", "0.2,0.2,-9", "--direction", "0,0,1"}}) {
+    const Finished run = blossom(command);
+    EXPECT_EQ(run.code, 3) << run.err;
+    EXPECT_NE(run.err.find("line.brep: face 2 has no width and is left out"), std::string::npos)
+        << run.err;
+  }
 }
 
 TEST_F(Reading, NoStatusIsBetterThanToleranceThen) {
