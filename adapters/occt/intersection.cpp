@@ -8,6 +8,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/faces/face_list.h"
 #include "adapters/occt/faces/pairs/equal_faces.h"
+#include "adapters/occt/faces/pairs/touched_planes.h"
 #include "adapters/occt/pair_search/pair_intersector.h"
 #include "core/base/parallel.h"
 
@@ -74,7 +75,9 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
     FacePairs pairs = meeting_pairs(faces_a, faces_b);
     convert_meeting(faces_a, faces_b, pairs);
     const FaceCopies copies(faces_a, faces_b, pairs, tolerance);
-    result = intersected({faces_a, faces_b, copies, Shared::Listed, options}, copies, pairs);
+    const TouchedPlanes touched(faces_a, faces_b, pairs, tolerance);
+    result =
+        intersected({faces_a, faces_b, copies, touched, Shared::Listed, options}, copies, pairs);
   });
   return result;
 }
@@ -90,7 +93,8 @@ ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfScop
     });
     convert_meeting(list, list, pairs);
     const FaceCopies none(list, list, {}, options.tolerances.point);
-    result = intersected({list, list, none, Shared::LeftOut, options}, none, pairs);
+    const TouchedPlanes untouched(list, list, {}, options.tolerances.point);
+    result = intersected({list, list, none, untouched, Shared::LeftOut, options}, none, pairs);
   });
   return result;
 }

@@ -64,7 +64,8 @@ struct ShapeIntersection {
 /// Intersects every face of one list with every face of the other. Faces are converted where the
 /// hulls of others come near them. Faces that are described by the same numbers are told to
 /// coincide as a whole without a search (where such a face meets itself, `self_intersect` tells),
-/// and meet the neighbours of each other in the edges that those share with them.
+/// and meet the neighbours of each other in the edges that those share with them. A face that goes
+/// on smoothly into a plane meets other planes that are one with it in the edges between the two.
 ///
 /// Planes, cylinders, cones, spheres and tori that are one by `one_within` (core/base/tolerances.h)
 /// over all that two faces may have in common are one: their overlaps, the edges along which they

@@ -123,14 +123,18 @@ void PairIntersector::search(FaceIntersection& result) const {
   const double within = one_within(options_.tolerances, largest_coordinate(a, b));
   if (is_settled_by_neighbours(a, b, edges, result)) return;
   std::vector<Touch> touches;
+  std::vector<SharedEdge> touching;
   if (const auto gap = gap_of_one_surface(a, b); gap && *gap <= options_.tolerances.point) {
     result.found = on_surface_of_both({result.face_a, result.face_b}, edges, *gap, within);
   } else {
-    touches = find_known(i, j, edges, within, result.found)
+    if (edges.empty()) touching = touched_.of(result.face_a, result.face_b, kSmoothAngle);
+    const std::vector<SharedEdge>& known = edges.empty() ? touching : edges;
+    touches = find_known(i, j, known, within, result.found)
                   ? clip_known(i, j, result.found)
-                  : find_between(i, j, edges, result.found);
-    drop_along_edges(result.found, touches, edges, options_.tolerances.point);
+                  : find_between(i, j, known, result.found);
+    drop_along_edges(result.found, touches, known, options_.tolerances.point);
     weaken_along_trims(a.trims, b.trims, within, result.found);
+    add_touching(a, b, touching, options_.tolerances.point, result.found, touches);
   }
   result.chains =
       chains_over_seams(result.found.curves, a.surface, b.surface, options_.tolerances.point);

@@ -14,6 +14,7 @@
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/pairs/equal_faces.h"
 #include "adapters/occt/faces/pairs/shared_edges.h"
+#include "adapters/occt/faces/pairs/touched_planes.h"
 #include "adapters/occt/intersection.h"
 
 namespace blossom::occt {
@@ -25,10 +26,16 @@ enum class Shared { Listed, LeftOut };
 /// Keeps references; the clock of the limits starts when it is made.
 class PairIntersector {
  public:
-  /// copies   of faces of a in b
+  /// copies    of faces of a in b
+  /// touched   by faces of either
   PairIntersector(const FaceList& faces_a, const FaceList& faces_b, const FaceCopies& copies,
-                  Shared shared, const IntersectionOptions& options)
-      : faces_a_(faces_a), faces_b_(faces_b), copies_(copies), shared_(shared), options_(options) {}
+                  const TouchedPlanes& touched, Shared shared, const IntersectionOptions& options)
+      : faces_a_(faces_a),
+        faces_b_(faces_b),
+        copies_(copies),
+        touched_(touched),
+        shared_(shared),
+        options_(options) {}
 
   FaceIntersection of(const std::pair<int, int>& pair) const;
 
@@ -73,6 +80,7 @@ class PairIntersector {
   const FaceList& faces_a_;
   const FaceList& faces_b_;
   const FaceCopies& copies_;
+  const TouchedPlanes& touched_;
   Shared shared_;
   const IntersectionOptions& options_;
   const SharedLimit limit_{options_};
