@@ -154,12 +154,8 @@ double CommonEdges::reach(const TopoDS_Edge& edge) const {
 bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet) {
   const RangedCurve of = curve_of(edge);
   const CurveBeside beside(of.curve, of.range, feet);
-  const auto as_a_whole = [&](double reach) {
-    const std::vector<Interval> runs = beside.runs(reach, reach);
-    return runs.size() == 1 && runs.front().from <= of.range.from && runs.front().to >= of.range.to;
-  };
   const double own = most_reach(edge);
-  if (own > reach_ && !as_a_whole(reach_) && as_a_whole(own)) {
+  if (own > reach_ && beside.is_one_run(own, own) && !beside.is_one_run(reach_, reach_)) {
     loosest_ = std::max(loosest_, own);
     loose_.Add(edge);
     return true;

@@ -270,6 +270,13 @@ double CurveBeside::least_clearance(Interval around) const {
   return from < to ? inner.from : inner.to;
 }
 
+bool CurveBeside::is_one_run(double reach, double past) const {
+  const RunLimits limits{reach, past};
+  if (!lies_on(range_.from, limits) || !lies_on(range_.to, limits)) return false;
+  const std::vector<Interval> found = runs(reach, past);
+  return found.size() == 1 && found.front() == range_;
+}
+
 std::vector<Interval> CurveBeside::runs(double reach, double past) const {
   const RunLimits limits{reach, past};
   std::vector<Interval> runs;
@@ -277,6 +284,11 @@ std::vector<Interval> CurveBeside::runs(double reach, double past) const {
   Standing there = standing(before);
   for (int i = 0; i <= kEdgeSamples; ++i) {
     const double t = at(range_, static_cast<double>(i) / kEdgeSamples);
+    // No nearer than the last gap less the way from there, and so in no run: it needs no foot.
+    if (there.gap - distance(there.point, in_space(t).point) > reach) {
+      before = t;
+      continue;
+    }
     const Standing here = standing(t);
     const bool on = limits.hold(here);
     const bool goes_on = !runs.empty() && runs.back().to == before;

@@ -50,6 +50,9 @@ class CurveBeside {
   /// than a given length: found from samples, ends by halving.
   std::vector<Interval> runs(double reach, double past) const;
 
+  /// Whether all of it is one such run. Where an end is in none, nothing else is looked at.
+  bool is_one_run(double reach, double past) const;
+
   /// Pieces of degree 5 with the values and first two derivatives of the curve and of its image, as
   /// many as they need to be as near to these as wanted, at most 512 between knots.
   /// throws   Failure if they are farther off than the tolerance
