@@ -280,6 +280,12 @@ std::vector<Vec2> period_shifts(const FaceTrims& trims, const PlanarCurve& curve
   return shifts;
 }
 
+std::array<std::array<Vec2, 2>, 2> closing_chords(const FaceTrims& trims, const Coedge& coedge) {
+  const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
+  return {{{corner(coedge.from), end_point(coedge, false)},
+           {end_point(coedge, true), corner(coedge.to)}}};
+}
+
 bool is_inside(const FaceTrims& trims, const Vec2& point) {
   for (int k = 0; k < 2; ++k)
     if (point[k] < trims.box.low[k] || point[k] > trims.box.high[k]) return false;
@@ -291,9 +297,8 @@ bool is_inside(const FaceTrims& trims, const Vec2& point) {
       for (std::size_t k = 0; k < coedge.boxes.size(); ++k)
         if (may_cross(coedge.boxes[k], point))
           winding += sign * ray_crossings(PlanarPath{coedge.curve.spans[k].curve}, point);
-      const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
-      winding += ray_crossings(corner(coedge.from), end_point(coedge, false), point) +
-                 ray_crossings(end_point(coedge, true), corner(coedge.to), point);
+      for (const auto& [from, to] : closing_chords(trims, coedge))
+        winding += ray_crossings(from, to, point);
     }
   return winding > 0;
 }

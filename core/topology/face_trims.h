@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -88,6 +89,10 @@ PlanarBox box_of(const std::vector<std::vector<Coedge>>& loops);
 
 /// Where the walk along a coedge starts or ends, chart coordinates.
 Vec2 end_point(const Coedge& coedge, bool last);
+
+/// The two chords that close the loop where a coedge does not end in its corners: from the corner
+/// to where its walk starts, and from where it ends to the corner.
+std::array<std::array<Vec2, 2>, 2> closing_chords(const FaceTrims& trims, const Coedge& coedge);
 
 /// The chart curve of a cut in the chart coordinates of the trims.
 PlanarCurve chart_curve(const FaceTrims& trims, const Spline2& chart);

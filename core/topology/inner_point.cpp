@@ -63,7 +63,13 @@ std::vector<Interval> stretches(const FaceTrims& trims, const ChartLine& line,
     for (const PlanarSpan& span : coedge.curve.spans)
       add_meetings(span.curve, line, exact, meetings);
   };
-  for (const auto& loop : trims.loops) std::ranges::for_each(loop, add);
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) {
+      add(coedge);
+      for (const auto& [from, to] : closing_chords(trims, coedge))
+        if (from != to)
+          add_meetings({{{from[0], from[1], 1}, {to[0], to[1], 1}}}, line, exact, meetings);
+    }
   std::ranges::for_each(trims.inner, add);
   std::ranges::sort(meetings, {}, &Interval::from);
   double from = meetings.empty() ? 0 : meetings.front().to;

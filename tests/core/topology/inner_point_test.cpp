@@ -59,6 +59,22 @@ TEST(InnerPoint, IsNotOnBordersThatRunAlongTheLines) {
   EXPECT_FALSE(inner_point(trims_of(std::move(loops))).has_value());
 }
 
+// As where a cut ends in a vertex of a large tolerance.
+TEST(InnerPoint, IsFoundWhereVerticesAloneCloseTheLoop) {
+  for (const bool upright : {false, true}) {
+    const auto turned = [&](double x, double y) { return upright ? Vec2{-y, x} : Vec2{x, y}; };
+    FlatLoops loops;
+    const int left = loops.add_vertex(turned(0, 0.005)), right = loops.add_vertex(turned(4, 0.005));
+    loops.loops.push_back(
+        {loops.coedge(planar_line(turned(0, 0), turned(4, 0), {0, 1}), left, right),
+         loops.coedge(planar_line(turned(4, 0.01), turned(0, 0.01), {0, 1}), right, left)});
+    const FaceTrims trims = trims_of(std::move(loops));
+    const auto point = inner_point(trims);
+    ASSERT_TRUE(point.has_value());
+    EXPECT_TRUE(is_inside(trims, *point));
+  }
+}
+
 TEST(InnerPoint, IsFoundBetweenManyHoles) {
   FlatLoops loops;
   loops.add_polygon(kSquare4);
