@@ -2,6 +2,7 @@
 #include "adapters/occt/pair_search/pair_intersector.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <BRep_Tool.hxx>
@@ -16,12 +17,14 @@
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/pairs/edge_contacts.h"
+#include "adapters/occt/faces/pairs/pole_contacts.h"
 #include "adapters/occt/pair_search/arc_lines.h"
 #include "adapters/occt/pair_search/pair_places.h"
 #include "core/neighbours/along_shared_edges.h"
 #include "core/neighbours/neighbour_proof.h"
 #include "core/neighbours/sliver_spans.h"
 #include "core/results/contact_places.h"
+#include "core/results/result_places.h"
 #include "core/surfaces/retry/exchanged_order.h"
 
 namespace blossom::occt {
@@ -29,6 +32,9 @@ namespace {
 
 constexpr double kSmoothAngle = 0.05;  // radians: so flat an edge is taken for smooth
 constexpr double kExact = 1e-9;        // of the size: borders as near as this agree
+// Of the length, about the root of tolerance times size, along which surfaces that touch keep
+// within tolerance: what is no farther apart is one contact.
+constexpr double kContactPart = 0.1;
 constexpr const char* kNoTime = "the limit was reached before these faces were searched";
 
 }  // namespace
@@ -139,6 +145,7 @@ void PairIntersector::search(FaceIntersection& result) const {
   result.chains =
       chains_over_seams(result.found.curves, a.surface, b.surface, options_.tolerances.point);
   if (edges.empty()) add_edge_contacts(shape_a, shape_b, result.found, touches);
+  if (&a != &b) add_pole_contacts(i, j, result.found, touches);
   if (shared_ == Shared::Listed) {
     add_edges(edges, result);
   } else if (&a != &b) {
@@ -322,6 +329,28 @@ void PairIntersector::add_edge_contacts(const TopoDS_Face& a, const TopoDS_Face&
              distance(place.box_high, point) <= reach;
     });
     touches.push_back({x, gap});
+  }
+}
+
+// A curve, point or place that is near tells of the pole as well.
+void PairIntersector::add_pole_contacts(std::size_t i, std::size_t j,
+                                        const SurfaceIntersection& found,
+                                        std::vector<Touch>& touches) const {
+  const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
+  const double tolerance = options_.tolerances.point;
+  const double reach =
+      kContactPart * std::sqrt(tolerance * std::min(diagonal(a.box), diagonal(b.box)));
+  for (const Touch& touch : pole_contacts(faces_a_.face(i), a, faces_b_.face(j), b, tolerance)) {
+    const Vec3& pole = touch.at.point;
+    const auto holds = [&](const Place& place) {
+      return meet(widened({place.box_low, place.box_high}, tolerance), {pole, pole});
+    };
+    const auto is_here = [&](const Touch& known) {
+      return distance(known.at.point, pole) <= reach;
+    };
+    if (!is_known_contact(found, pole, reach) && !is_on_curve(found, pole, reach) &&
+        std::ranges::none_of(found.places, holds) && std::ranges::none_of(touches, is_here))
+      touches.push_back(touch);
   }
 }
 

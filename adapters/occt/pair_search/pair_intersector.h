@@ -74,6 +74,8 @@ class PairIntersector {
   static void add_edges(const std::vector<SharedEdge>& edges, FaceIntersection& result);
   void add_edge_contacts(const TopoDS_Face& a, const TopoDS_Face& b, SurfaceIntersection& found,
                          std::vector<Touch>& touches) const;
+  void add_pole_contacts(std::size_t i, std::size_t j, const SurfaceIntersection& found,
+                         std::vector<Touch>& touches) const;
   void add_overlaps(std::size_t i, std::size_t j, const std::vector<Overlap>& whole,
                     SurfaceIntersection& found) const;
 

@@ -14,7 +14,7 @@
 #include "core/surfaces/adjacency/smooth_neighbours.h"
 #include "core/surfaces/assembly/border_strip.h"
 #include "core/surfaces/assembly/chain_fits.h"
-#include "core/surfaces/assembly/result_places.h"
+#include "core/results/result_places.h"
 #include "core/surfaces/branches/arc_chains.h"
 #include "core/surfaces/branches/arcs_along_borders.h"
 #include "core/surfaces/branches/chains_at_poles.h"
@@ -265,17 +265,26 @@ class Assembly {
     return std::move(fits.curves);
   }
 
+  bool is_short(const ChainTracer& tracer) const {
+    return tracer.stations().back() <= kShortestBranch * options_.tolerances.point;
+  }
+
   void add_short(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
     const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
-    const bool is_short = tracer.stations().back() <= kShortestBranch * options_.tolerances.point;
-    if (!is_short || !belongs_to_contact(chain)) add_small_contact(cells_a, chain, tracer);
+    if (!is_short(tracer) || !belongs_to_contact(chain)) add_small_contact(cells_a, chain, tracer);
+  }
+
+  // What is so short is a point but for the tolerance, as a loop round the tip of a cone.
+  void add_unfitted(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
+    const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
+    is_short(tracer) ? add_short(cells_a, cells_b, chain) : add_untraced(cells_a, cells_b, chain);
   }
 
   void add_curve(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain,
                  IntersectionCurve&& curve) {
     const Deviation& d = curve.deviation;
     if (!std::isfinite(curve.length + d.a + d.b + d.between))
-      return add_untraced(cells_a, cells_b, chain);
+      return add_unfitted(cells_a, cells_b, chain);
     curve.closed = chain.closed;
     curve.ends = {chain.ends[0].kind, chain.ends[1].kind};
     for (std::size_t side = 0; side < 2; ++side) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -14,6 +15,7 @@
 #include <TopoDS.hxx>
 #include <gp_Trsf.hxx>
 
+#include "core/bounds/box_tree.h"
 #include "tests/adapters/occt/analytic_faces.h"
 
 namespace blossom::occt::analytic {
@@ -146,6 +148,31 @@ INSTANTIATE_TEST_SUITE_P(Rows, SingularPairs, ::testing::Range(0, static_cast<in
                          [](const auto& which) {
                            return rows()[static_cast<std::size_t>(which.param)].name;
                          });
+
+// A tip that reaches through a surface, or ends before it, by less than the tolerance meets it in a
+// point; the loop round it is far shorter than a curve can be.
+TEST(TipOfACone, MeetsWhatIsWithinToleranceInOnePoint) {
+  const TopoDS_Face tip = cone(O, Z, 10)(kSpin);
+  for (const double reach : {5e-8, 1e-9, 1e-10, 0.0, -1e-10, -1e-9, -5e-8})
+    for (const double degrees : {0.0, 10.0, 40.0}) {
+      const gp_Dir up = tilted(degrees);
+      const gp_Pnt end = O.Translated(gp_Vec(up) * reach);
+      for (const TopoDS_Face& other :
+           {plane(end, up)(0), sphere(end.Translated(gp_Vec(up) * -2), 2)(0),
+            cylinder(end.Translated(gp_Vec(up) * -2), gp_Dir(0, 1, 0), 2)(0)}) {
+        const ShapeIntersection found = intersect({tip}, {other});
+        EXPECT_LE(found.status, Status::Tolerance) << reach << ' ' << degrees;
+        ASSERT_EQ(found.pairs.size(), 1) << reach << ' ' << degrees;
+        EXPECT_TRUE(found.pairs[0].found.curves.empty()) << reach << ' ' << degrees;
+        EXPECT_LE(found.pairs[0].found.points.size(), 1) << reach << ' ' << degrees;
+        const auto holds_tip = [](const Place& place) {
+          return meet(widened({place.box_low, place.box_high}, 1e-7), {{0, 0, 0}, {0, 0, 0}});
+        };
+        EXPECT_TRUE(std::ranges::any_of(found.pairs[0].found.places, holds_tip))
+            << reach << ' ' << degrees;
+      }
+    }
+}
 
 struct TouchingRow {
   std::string name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/assembly/result_places.h"
+#include "core/results/result_places.h"
 
 #include <algorithm>
 
