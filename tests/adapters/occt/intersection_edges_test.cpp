@@ -2,6 +2,7 @@
 // What two shapes have in common, as one shape.
 #include "adapters/occt/intersection_edges.h"
 
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -134,6 +135,21 @@ TEST(JoinedIntersection, JoinsWhatIsApartByWhatFacesState) {
   EXPECT_EQ(parts.wires, 2);
   EXPECT_EQ(parts.edges, 4);
   EXPECT_EQ(parts.vertices, 6);
+}
+
+// Open CASCADE's search for feet throws on curves that are about as short as its own tolerances. A
+// cone of half angle 56 degrees, whose tip is 1.2 tolerances inside of a cylinder 10 degrees off.
+TEST(CommonShape, HoldsLoopsOfAMillionth) {
+  const double slope = std::tan(56 * pi / 180), tilt = 10 * pi / 180;
+  const gp_Dir up(std::sin(tilt), 0, std::cos(tilt)), along(std::cos(tilt), 0, -std::sin(tilt));
+  const gp_Pnt foot = gp_Pnt(0, 0, 1).Translated(gp_Vec(up) * -(1.3 + 1.2e-7));
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(slope, 0, 1).Face();
+  const TopoDS_Shape cylinder =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(foot.Translated(gp_Vec(along) * -2.02), along), 1.3, 4)
+          .Face();
+  const Parts parts = common_of(cone, cylinder);
+  EXPECT_EQ(parts.wires, 2);  // and the curve in which the cylinder leaves the cone
+  EXPECT_EQ(parts.closed, 1);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <BRep_Tool.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Precision.hxx>
+#include <Standard_Failure.hxx>
 
 #include "adapters/occt/base/points.h"
 
@@ -21,6 +22,7 @@ namespace {
 constexpr double kLongestTouch = 16;
 constexpr double kStatedShare = 0.1;  // of an edge's length: what its tolerance may be at most
 constexpr double kLeaving = 0.5;   // of the reach: a surface so far off at the end of a run is left
+constexpr int kTinyPoints = 64;    // of a curve of about a millionth: the next one is 1e-8 off
 constexpr int kContactPoints = 8;  // of a contact that an edge may stand for
 
 double chord(const RangedCurve& of, const Interval& range) {
@@ -42,8 +44,15 @@ EdgeFoot foot_on(const RangedCurve& of, const gp_Pnt& point) {
     if (distance < best.distance) best = {parameter, distance};
   };
   consider(of.range.to, point.Distance(of.curve->Value(of.range.to)));
-  const GeomAPI_ProjectPointOnCurve found(point, of.curve, of.range.from, of.range.to);
-  if (found.NbPoints() > 0) consider(found.LowerDistanceParameter(), found.LowerDistance());
+  try {
+    const GeomAPI_ProjectPointOnCurve found(point, of.curve, of.range.from, of.range.to);
+    if (found.NbPoints() > 0) consider(found.LowerDistanceParameter(), found.LowerDistance());
+  } catch (const Standard_Failure&) {  // of what is about as short as its own tolerances
+    for (int i = 1; i < kTinyPoints; ++i) {
+      const double t = at(of.range, static_cast<double>(i) / kTinyPoints);
+      consider(t, point.Distance(of.curve->Value(t)));
+    }
+  }
   return best;
 }
 
