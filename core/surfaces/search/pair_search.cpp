@@ -29,7 +29,7 @@ namespace {
 constexpr double kSlabPart = 1.0 / 1024;
 // Nor does it go on below so many roundings of the nets: no cell gets thinner.
 constexpr double kSlabRoundings = 8;
-constexpr int kDeepest = 60;             // halvings of a patch: 2^-30 in each direction
+constexpr int kDeepest = 90;             // halvings of a patch: 2^-45 in each direction
 constexpr long kMaxStored = 30'000'000;  // control points kept, some 1 GB
 constexpr std::size_t kBatch = 128;      // pairs examined at the same time
 constexpr std::size_t kPairGrain = 4;    // pairs that one thread examines in a row
@@ -48,7 +48,7 @@ struct Pair {
 
 struct Halving {
   Pair pair;
-  bool halves_a;  // or b
+  bool of_first;  // a cell of a, or of b
 };
 
 struct CellsPair {
@@ -312,7 +312,8 @@ class Search {
         finding.verdict == Verdict::Thin ||
         (finding.verdict == Verdict::Regular &&
          is_thin(a, b, place.tree_a->shape().plane_size(), place.tree_b->shape().plane_size()));
-    if (thin || (a.depth >= kDeepest && b.depth >= kDeepest))
+    // Where one cell cannot be halved any more, halves of smaller ones would tell nothing new.
+    if (thin || (halves_a(a, b) ? a : b).depth >= kDeepest)
       keep(pair, thin);
     else
       halve(pair);
@@ -417,20 +418,21 @@ class Search {
       result_.corner_contacts.push_back({place.patch_a, place.patch_b, x});
   }
 
+  // Of two cells the one that bends more; size counts a little. Or else b.
+  static bool halves_a(const Cell& a, const Cell& b) {
+    return a.bend + kExtentWeight * a.extent >= b.bend + kExtentWeight * b.extent;
+  }
+
   void halve(const Pair& pair) {
-    const Cell &a = cell_a(pair), &b = cell_b(pair);
-    const bool halves_a = b.depth >= kDeepest ||
-                          (a.depth < kDeepest &&
-                           a.bend + kExtentWeight * a.extent >= b.bend + kExtentWeight * b.extent);
-    halvings_.push_back({pair, halves_a});
+    halvings_.push_back({pair, halves_a(cell_a(pair), cell_b(pair))});
   }
 
   // The cells of a batch in the order of its pairs, those of both surfaces at the same time.
   void halve_pairs() {
     std::array<long, 2> added{};  // control points
     const auto halve = [&](bool of_a) {
-      for (const auto& [pair, halves_a] : halvings_) {
-        if (halves_a != of_a) continue;
+      for (const auto& [pair, of_first] : halvings_) {
+        if (of_first != of_a) continue;
         CellTree& tree = of_a ? *place_of(pair).tree_a : *place_of(pair).tree_b;
         const int cells = tree.size();
         tree.split(of_a ? pair.cell_a : pair.cell_b);
@@ -439,10 +441,10 @@ class Search {
     };
     parallel_for(2, itself() ? 2 : 1, [&](std::size_t i) { halve(i == 0); });
     stored_points_ += (added[0] + added[1]) * (itself() ? 2 : 1);
-    for (const auto& [pair, halves_a] : halvings_) {
-      const int child = halves_a ? cell_a(pair).child : cell_b(pair).child;
+    for (const auto& [pair, of_first] : halvings_) {
+      const int child = of_first ? cell_a(pair).child : cell_b(pair).child;
       for (int half = 0; half < 2; ++half)
-        stack_.push_back(halves_a ? Pair{pair.place, child + half, pair.cell_b, pair.along, false}
+        stack_.push_back(of_first ? Pair{pair.place, child + half, pair.cell_b, pair.along, false}
                                   : Pair{pair.place, pair.cell_a, child + half, pair.along, false});
     }
     halvings_.clear();

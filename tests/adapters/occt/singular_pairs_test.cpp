@@ -174,6 +174,19 @@ TEST(TipOfACone, MeetsWhatIsWithinToleranceInOnePoint) {
     }
 }
 
+// A cell of one surface as small as can be beside one of the other that is not: halves of the other
+// one tell nothing new, however many there are.
+TEST(TipOfACone, IsSettledWhereCellsOfTheOtherSurfaceCannotBeHalved) {
+  const double size = 300;
+  const TopoDS_Face tip = cone(O, Z, size)(0);
+  const ShapeIntersection found = intersect({tip}, {sphere({-1.3 * size, 0, 0}, 1.3 * size)(0)});
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_EQ(found.pairs.size(), 1);
+  double length = 0;
+  for (const IntersectionCurve& curve : found.pairs[0].found.curves) length += curve.length;
+  EXPECT_GT(length, 2 * size);
+}
+
 struct TouchingRow {
   std::string name;
   Maker a, b;
