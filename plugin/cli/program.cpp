@@ -28,6 +28,12 @@ int failed(const std::exception& error, int code) {
   return code;
 }
 
+int lacking_memory() {
+  report_lack_of_memory();
+  std::cerr << "blossom: there is not enough memory for " << doing() << '\n';
+  return kExitFailure;
+}
+
 int misused(const CLI::App& app, const std::string& message) {
   std::cerr << "blossom: " << message << '\n' << help_line(app) << '\n';
   return kExitBadInput;
@@ -61,9 +67,7 @@ int run_program(int argc, char** argv) {
   } catch (const occt::BadModel& error) {
     return failed(error, kExitBadInput);
   } catch (const std::bad_alloc&) {
-    report_lack_of_memory();
-    std::cerr << "blossom: there is not enough memory for " << doing() << '\n';
-    return kExitFailure;
+    return lacking_memory();
   } catch (const std::logic_error& error) {
     std::cerr << "blossom: internal error while " << doing() << ": " << error.what()
               << "; please report it with the command and its inputs\n";
@@ -71,6 +75,7 @@ int run_program(int argc, char** argv) {
   } catch (const std::exception& error) {
     return failed(error, kExitFailure);
   } catch (...) {  // Open CASCADE's exceptions are no std::exception
+    if (occt::is_lack_of_memory()) return lacking_memory();
     std::cerr << "blossom: broke off while " << doing() << ": " << occt::current_failure_text()
               << '\n';
     return kExitFailure;

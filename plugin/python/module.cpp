@@ -130,7 +130,10 @@ void add_errors(py::module_& module) {
     } catch (const CancelledWork& work) {
       cancelled(work.what());
     } catch (const Standard_Failure&) {
-      error(occt::current_failure_text().c_str());
+      if (occt::is_lack_of_memory())
+        PyErr_NoMemory();
+      else
+        error(occt::current_failure_text().c_str());
     }
   });
 }

@@ -24,8 +24,6 @@
 namespace blossom::occt {
 namespace {
 
-constexpr const char* kMemory = "it asks for more memory than there is";
-
 /// What a kind of exception means to somebody who has the model, not the program.
 struct Meaning {
   Handle(Standard_Type) type;
@@ -42,7 +40,6 @@ const char* meaning_of(const Standard_Failure& failure) {
       {STANDARD_TYPE(Standard_NullObject), "something that is needed is missing"},
       {STANDARD_TYPE(Standard_TypeMismatch), "something is of another kind than is needed there"},
       {STANDARD_TYPE(Standard_NumericError), "a computation with its numbers fails"},
-      {STANDARD_TYPE(Standard_OutOfMemory), kMemory},
       {STANDARD_TYPE(Standard_NotImplemented), "Open CASCADE cannot do that"},
       {STANDARD_TYPE(StdFail_NotDone), "Open CASCADE finds no solution"},
       {STANDARD_TYPE(Standard_DomainError), "its numbers are not among those that are possible"}};
@@ -67,17 +64,30 @@ std::string words_of(const Standard_Failure& failure) {
 
 }  // namespace
 
+bool is_lack_of_memory() {
+  const std::exception_ptr current = std::current_exception();
+  if (!current) return false;
+  try {
+    std::rethrow_exception(current);
+  } catch (const Standard_OutOfMemory&) {
+    return true;
+  } catch (const std::bad_alloc&) {
+    return true;
+  } catch (...) {
+    return false;
+  }
+}
+
 std::string current_failure_text() {
   const std::exception_ptr current = std::current_exception();
   if (!current) return "no failure";
+  if (is_lack_of_memory()) throw std::bad_alloc();
   try {
     std::rethrow_exception(current);
   } catch (const Standard_Failure& failure) {
     return words_of(failure);
   } catch (const std::ios_base::failure&) {
     return "it breaks off, or has something else where a number or a word is due";
-  } catch (const std::bad_alloc&) {
-    return kMemory;
   } catch (const std::exception& error) {
     return error.what();
   } catch (...) {

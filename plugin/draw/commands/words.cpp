@@ -30,7 +30,10 @@ int answered(Draw_Interpretor& interpreter, int count, const char** words, const
   } catch (const std::exception& error) {
     interpreter << (name + ": " + error.what()).c_str();
   } catch (...) {  // Open CASCADE's exceptions are no std::exception
-    interpreter << (name + ": internal error: " + occt::current_failure_text()).c_str();
+    const bool lacks_memory = occt::is_lack_of_memory();
+    const std::string text = lacks_memory ? "there is not enough memory"
+                                          : "internal error: " + occt::current_failure_text();
+    interpreter << (name + ": " + text).c_str();
   }
   return 1;
 }

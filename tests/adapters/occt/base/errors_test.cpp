@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <Standard_ConstructionError.hxx>
 #include <Standard_NoSuchObject.hxx>
+#include <Standard_OutOfMemory.hxx>
 #include <Standard_OutOfRange.hxx>
 
 namespace blossom::occt {
@@ -52,9 +53,14 @@ TEST(CurrentFailureText, HasNoNamesOfOpenCascadeInIt) {
             "its numbers make no such geometry");
   EXPECT_EQ(words_of(Standard_Failure("Open CASCADE says this")),
             "Open CASCADE fails (Open CASCADE says this)");
-  EXPECT_EQ(words_of(std::bad_alloc()), "it asks for more memory than there is");
   EXPECT_EQ(words_of(std::ios_base::failure("x")).find("basic_ios"), std::string::npos);
   EXPECT_EQ(current_failure_text(), "no failure");
+}
+
+TEST(CurrentFailureText, IsNoWordsForWantOfMemory) {
+  EXPECT_THROW(words_of(std::bad_alloc()), std::bad_alloc);
+  EXPECT_THROW(words_of(Standard_OutOfMemory()), std::bad_alloc);
+  EXPECT_THROW(guarded("reading", [] { throw Standard_OutOfMemory(); }), std::bad_alloc);
 }
 
 }  // namespace
