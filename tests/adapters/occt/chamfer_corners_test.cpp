@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -210,6 +211,17 @@ TEST(ChamferOfARoundedPlate, FillsCornersWhereBordersOfArcsWouldTurnBack) {
     const double taken = made.volume_before - made.solids.front().volume;
     EXPECT_GT(taken, last);
     last = taken;
+  }
+}
+
+// The middle of the steps, which go beyond the edge by some distances, is rounded to 0.
+TEST(ChamferRefuses, DistancesBesideWhichTheEdgeIsNothing) {
+  const TopoDS_Shape bar = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 10, 10).Shape(),
+                                           BRepPrimAPI_MakeBox(5, 10, 10).Shape());
+  for (const EdgeFacts& each : edge_facts(bar)) {
+    const FilletResult made = chamfered(bar, {each.number}, 2.459e69);
+    EXPECT_TRUE(made.solids.empty());
+    EXPECT_FALSE(made.refused.empty());
   }
 }
 

@@ -45,6 +45,8 @@ constexpr double kMaxTurn = 1;
 constexpr double kSameForm = 1e-9;  // of the distance: borders that are lines and circles
 constexpr int kSteps = 16;          // along the edge, by which it is seen how far borders go
 
+constexpr const char* kNoPoint = "a face has no point at the chamfer's distance from the edge";
+
 struct Borders {
   std::vector<double> at;
   std::array<std::vector<BorderPoint>, 2> points;
@@ -57,8 +59,7 @@ Borders borders_over(const Chamfering& of, const Interval& wanted, int steps) {
     const double x = at(wanted, static_cast<double>(i) / steps);
     const auto both = of.at_edge(x);
     const bool on_edge = x >= of.domain.from && x <= of.domain.to;
-    if (!both && on_edge)
-      of.refuse("a face has no point at the chamfer's distance from the edge", x);
+    if (!both && on_edge) of.refuse(kNoPoint, x);
     if (!both && x > of.domain.to) break;
     if (!both) {
       made = {};
@@ -67,6 +68,8 @@ Borders borders_over(const Chamfering& of, const Interval& wanted, int steps) {
     made.at.push_back(x);
     for (const std::size_t k : {0U, 1U}) made.points[k].push_back((*both)[k]);
   }
+  if (made.at.empty())  // the steps are so large that none is on the edge
+    of.refuse(kNoPoint, at(of.domain, 0.5));
   return made;
 }
 
