@@ -48,7 +48,7 @@ CurveSurfaceIntersection intersect(const CurveSpans& curve, const BezierSurface&
   const double tolerance = options.tolerances.point + error;
   CurveTree tree(curve, origin, 3);
   SurfaceTrees trees(surface, origin, options.form);
-  const auto inside = pieces_in_surface(tree, trees, tolerance);
+  const auto inside = pieces_in_surface(tree, trees, options, tolerance);
   std::vector<CurveSurfaceContact> pieces;
   for (const CurveInSurface& piece : inside) pieces.push_back(piece.piece);
   const CurveSurfaceFindings found =

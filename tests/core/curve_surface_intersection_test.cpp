@@ -33,6 +33,16 @@ BezierSurface height_field(int n, int m, const std::function<double(int, int)>& 
   return one_patch(std::move(patch));
 }
 
+RationalBezierPatch bilinear(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const auto with_weight = [](const Vec3& p) { return Vec4{p[0], p[1], p[2], 1}; };
+  RationalBezierPatch patch{Grid<Vec4>(2, 2)};
+  patch.points(0, 0) = with_weight(a);
+  patch.points(0, 1) = with_weight(b);
+  patch.points(1, 0) = with_weight(c);
+  patch.points(1, 1) = with_weight(d);
+  return patch;
+}
+
 BezierSurface plane() {
   return height_field(1, 1, [](int, int) { return 0.0; });
 }
@@ -194,6 +204,16 @@ TEST(CurveSurfaceIntersection, BudgetStopsWithOpenPlaces) {
   const CurveSpans wave =
       bezier({{0.1, 0.4, -1}, {0.4, 0.4, 1.5}, {0.6, 0.4, -1.5}, {0.9, 0.4, 1}});
   const auto found = intersect(wave, plane(), options);
+  EXPECT_EQ(found.status, Status::Stopped);
+  EXPECT_FALSE(found.places.empty());
+}
+
+// Each point of the line is that of a whole curve of parameters, without a normal.
+TEST(CurveSurfaceIntersection, BudgetEndsTheSearchForPiecesInACollapsedSurface) {
+  const BezierSurface collapsed = one_patch(bilinear({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}));
+  IntersectionOptions options;
+  options.budget = 1000;
+  const auto found = intersect(bezier({{0.3, 0, 0}, {1.7, 0, 0}}), collapsed, options);
   EXPECT_EQ(found.status, Status::Stopped);
   EXPECT_FALSE(found.places.empty());
 }

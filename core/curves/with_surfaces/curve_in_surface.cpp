@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
+#include "core/base/work_limit.h"
 #include "core/blossom/composition.h"
 #include "core/curves/limits.h"
 #include "core/curves/shared_curve.h"
@@ -31,22 +31,25 @@ bool is_graph(const Cell& cell) {
 
 class PieceFinder {
  public:
-  PieceFinder(const CurveTree& curve, SurfaceTrees& surface, double tolerance)
-      : curve_(curve), surface_(surface), tolerance_(tolerance) {}
+  PieceFinder(const CurveTree& curve, SurfaceTrees& surface, const IntersectionOptions& options,
+              double tolerance)
+      : curve_(curve),
+        surface_(surface),
+        tolerance_(tolerance),
+        budget_(options.budget),
+        limit_(options) {}
 
   void examine(int span, const Interval& t, int depth) {
     const auto point = [&](double part) { return curve_.jet({span, at(t, part)}).point; };
-    const auto middle = feet_near(surface_, point(0.5), tolerance_);
+    const auto middle = feet_near(point(0.5));
     if (middle.empty()) {
       if (depth > 0) return;  // an end may still lie in the surface, but half of a piece does not
     } else {
       for (const SurfaceFoot& foot : middle)
         if (lies_on(span, t, foot)) return;
     }
-    if (depth == kDepth) return;
-    if (middle.empty() && feet_near(surface_, point(0.25), tolerance_).empty() &&
-        feet_near(surface_, point(0.75), tolerance_).empty())
-      return;
+    if (depth == kDepth || is_spent_) return;
+    if (middle.empty() && feet_near(point(0.25)).empty() && feet_near(point(0.75)).empty()) return;
     examine(span, {t.from, at(t, 0.5)}, depth + 1);
     examine(span, {at(t, 0.5), t.to}, depth + 1);
   }
@@ -82,9 +85,51 @@ class PieceFinder {
     return true;
   }
 
+  /// Where the surface is within the tolerance of a point; none once the work is spent. A surface
+  /// that is folded or collapsed there is no graph in any of its cells, however small: they are as
+  /// many as there are down to the tolerance.
+  std::vector<SurfaceFoot> feet_near(const Vec3& point) {
+    std::vector<SurfaceFoot> feet;
+    for (int patch = 0; patch < surface_.count(); ++patch) {
+      std::vector<int> cells(1, 0);
+      while (!cells.empty()) {
+        const int index = cells.back();
+        cells.pop_back();
+        const Cell& cell = surface_[patch][index];
+        if (is_apart(cell, point)) continue;
+        if (!is_graph(cell) && cell.extent > tolerance_ + 8 * cell.margin) {
+          if (!may_split()) return {};
+          const int child = surface_[patch].split(index);
+          cells.push_back(child);
+          cells.push_back(child + 1);
+          continue;
+        }
+        const SurfaceFoot foot =
+            foot_on(surface_, patch, {at(cell.u, 0.5), at(cell.v, 0.5)}, point);
+        if (foot.distance <= tolerance_ + surface_.evaluation_margin()) feet.push_back(foot);
+      }
+    }
+    return feet;
+  }
+
+  bool is_apart(const Cell& cell, const Vec3& point) const {
+    for (int k = 0; k < 3; ++k)
+      if (point[k] < cell.low[k] - tolerance_ || point[k] > cell.high[k] + tolerance_) return true;
+    const double height = dot(cell.plane.normal, point);
+    return height < cell.plane.low - tolerance_ || height > cell.plane.high + tolerance_;
+  }
+
+  bool may_split() {
+    is_spent_ = is_spent_ || ++splits_ > budget_ || (splits_ % kAskEvery == 0 && limit_.reached());
+    return !is_spent_;
+  }
+
   const CurveTree& curve_;
   SurfaceTrees& surface_;
   double tolerance_;
+  long budget_, splits_ = 0;
+  WorkLimit limit_;
+  bool is_spent_ = false;
 };
 
 }  // namespace
@@ -108,37 +153,10 @@ SurfaceFoot foot_on(const SurfaceTrees& surface, int patch, const Vec2& start, c
   return foot;
 }
 
-std::vector<SurfaceFoot> feet_near(SurfaceTrees& surface, const Vec3& point, double tolerance) {
-  std::vector<SurfaceFoot> feet;
-  std::vector<int> cells;
-  for (int patch = 0; patch < surface.count(); ++patch) {
-    cells.assign(1, 0);
-    while (!cells.empty()) {
-      const int index = cells.back();
-      cells.pop_back();
-      const Cell& cell = surface[patch][index];
-      bool apart = false;
-      for (int k = 0; k < 3; ++k)
-        apart = apart || point[k] < cell.low[k] - tolerance || point[k] > cell.high[k] + tolerance;
-      const double height = dot(cell.plane.normal, point);
-      if (apart || height < cell.plane.low - tolerance || height > cell.plane.high + tolerance)
-        continue;
-      if (!is_graph(cell) && cell.extent > tolerance + 8 * cell.margin) {
-        const int child = surface[patch].split(index);
-        cells.push_back(child);
-        cells.push_back(child + 1);
-        continue;
-      }
-      const SurfaceFoot foot = foot_on(surface, patch, {at(cell.u, 0.5), at(cell.v, 0.5)}, point);
-      if (foot.distance <= tolerance + surface.evaluation_margin()) feet.push_back(foot);
-    }
-  }
-  return feet;
-}
-
 std::vector<CurveInSurface> pieces_in_surface(const CurveTree& curve, SurfaceTrees& surface,
+                                              const IntersectionOptions& options,
                                               double tolerance) {
-  PieceFinder finder(curve, surface, tolerance);
+  PieceFinder finder(curve, surface, options, tolerance);
   for (int span = 0; span < curve.spans(); ++span) finder.examine(span, {0, 1}, 0);
   return std::move(finder.found);
 }

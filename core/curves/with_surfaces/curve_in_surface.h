@@ -18,9 +18,10 @@ struct CurveInSurface {
   double gap = 0;             ///< bound on the distance along it, model units
 };
 
-/// All such pieces down to a 64th of a span, in order.
+/// All such pieces down to a 64th of a span, in order; where the budget or the time of the options
+/// is spent on it, those that were found till then.
 std::vector<CurveInSurface> pieces_in_surface(const CurveTree& curve, SurfaceTrees& surface,
-                                              double tolerance);
+                                              const IntersectionOptions& options, double tolerance);
 
 /// A place of the surface within the tolerance of a point.
 struct SurfaceFoot {
@@ -28,7 +29,6 @@ struct SurfaceFoot {
   Vec2 uv;
   double distance = 0;
 };
-std::vector<SurfaceFoot> feet_near(SurfaceTrees& surface, const Vec3& point, double tolerance);
 
 /// The foot of a point on a patch, from a start, kept on the patch.
 SurfaceFoot foot_on(const SurfaceTrees& surface, int patch, const Vec2& start, const Vec3& point);
