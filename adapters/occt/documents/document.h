@@ -71,6 +71,10 @@ std::string name_of(const TDF_Label& label);
 /// Gives a label a name in UTF-8, unless it is empty.
 void set_name(const TDF_Label& label, const std::string& name);
 
+/// Calls instances as their parts that have no name but Open CASCADE's own, "=>[0:1:1:2]" after the
+/// label of the part, which other programs would show.
+void name_instances(const Document& document);
+
 /// Where a part is used: from a root, the number of the component in every assembly on the way.
 /// Numbers, because components get new labels when an assembly is copied.
 struct Usage {

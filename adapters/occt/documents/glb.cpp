@@ -12,6 +12,7 @@
 #include <TColStd_IndexedDataMapOfStringString.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/listening.h"
 #include "adapters/occt/documents/files.h"
 
 namespace blossom::occt {
@@ -48,6 +49,7 @@ class TemporaryFolder {
 std::string glb_bytes(const Document& document) {
   const TemporaryFolder folder;
   const fs::path file = folder / "model.glb";
+  const Listening listening;  // it tells of each part without faces
   RWGltf_CafWriter writer(file.c_str(), Standard_True);
   writer.ChangeCoordinateSystemConverter().SetInputLengthUnit(kMillimetre);
   writer.ChangeCoordinateSystemConverter().SetInputCoordinateSystem(RWMesh_CoordinateSystem_Zup);

@@ -6,6 +6,7 @@
 
 #include <TCollection_AsciiString.hxx>
 #include <TCollection_ExtendedString.hxx>
+#include <TDF_ChildIterator.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopExp.hxx>
@@ -16,8 +17,7 @@
 namespace blossom::occt {
 namespace {
 
-// What an instance is called, or the part that it is one of. Open CASCADE calls those without a
-// name "=>[0:1:1:2]", after the label of the part.
+// What an instance is called, or the part that it is one of.
 std::string instance_name(const TDF_Label& label, const TDF_Label& referred) {
   const std::string own = name_of(label);
   return own.empty() || own.starts_with("=>[") ? name_of(referred) : own;
@@ -64,6 +64,16 @@ std::string name_of(const TDF_Label& label) {
   Handle(TDataStd_Name) name;
   if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
   return TCollection_AsciiString(name->Get()).ToCString();
+}
+
+void name_instances(const Document& document) {
+  for (TDF_ChildIterator label(document.shapes()->Label(), true); label.More(); label.Next()) {
+    TDF_Label referred;
+    if (!XCAFDoc_ShapeTool::GetReferredShape(label.Value(), referred)) continue;
+    const std::string name = instance_name(label.Value(), referred);
+    label.Value().ForgetAttribute(TDataStd_Name::GetID());
+    set_name(label.Value(), name);
+  }
 }
 
 std::string part_path(const Usage& usage) {

@@ -114,6 +114,7 @@ std::string iges_text(const Document& document, const std::string& unit) {
 }
 
 std::string Document::text(Format format, const std::string& unit) const {
+  name_instances(*this);
   switch (format) {
     case Format::Step: return step_text(*this, unit);
     case Format::Iges: return iges_text(*this, unit);

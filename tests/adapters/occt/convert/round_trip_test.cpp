@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -240,6 +242,19 @@ TEST(IgesFiles, NamePartsByTheirRootsWhereThereAreSeveral) {
   std::vector<std::string> names(6, "Left/Block");
   names.insert(names.end(), 6, "Right/Block");
   EXPECT_EQ(read_model(folder / "out.iges").part_paths(), names);
+}
+
+TEST(StepFiles, CallInstancesWithoutANameAsTheirParts) {
+  const Folder folder;
+  testing::write_roots(folder / "in.step");
+  const Model roots = read_model(folder / "in.step");
+  write_model(roots, folder / "out.step");
+  std::ifstream written(folder / "out.step");
+  const std::string text(std::istreambuf_iterator<char>(written), {});
+  EXPECT_EQ(text.find("=>["), std::string::npos);
+  const std::size_t usage = text.find("NEXT_ASSEMBLY_USAGE_OCCURRENCE(");
+  EXPECT_EQ(text.substr(text.find(',', usage), 9), ",'Block',");
+  EXPECT_EQ(read_model(folder / "out.step").part_paths(), roots.part_paths());
 }
 
 TEST(IgesFiles, KeepColoursOfFaces) {
