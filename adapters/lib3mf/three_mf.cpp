@@ -34,8 +34,8 @@ class Owned {
   Made* made_ = nullptr;
 };
 
-void give_geometry(NMR::PLib3MFModelMeshObject* object, std::span<const Vec3> points,
-                   std::span<const std::array<int, 3>> triangles) {
+void give_geometry(NMR::PLib3MFModelMeshObject* made, const ThreeMfObject& object) {
+  const auto& [name, points, triangles, colours] = object;
   std::vector<NMR::MODELMESHVERTEX> vertices(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     for (int k = 0; k < 3; ++k) vertices[i].m_fPosition[k] = static_cast<float>(points[i][k]);
@@ -44,50 +44,51 @@ void give_geometry(NMR::PLib3MFModelMeshObject* object, std::span<const Vec3> po
     for (std::size_t k = 0; k < 3; ++k)
       corners[t].m_nIndices[k] = static_cast<std::uint32_t>(triangles[t][k]);
   check(NMR::lib3mf_meshobject_setgeometry(
-            object, vertices.data(), static_cast<std::uint32_t>(vertices.size()), corners.data(),
+            made, vertices.data(), static_cast<std::uint32_t>(vertices.size()), corners.data(),
             static_cast<std::uint32_t>(corners.size())),
         "setgeometry");
 }
 
-void give_colours(NMR::PLib3MFModelMeshObject* object, std::size_t triangles,
-                  const std::vector<ThreeMfPart>& parts) {
-  if (std::ranges::none_of(parts, [](const ThreeMfPart& part) { return part.colour.has_value(); }))
+void give_colours(NMR::PLib3MFModelMeshObject* made, const ThreeMfObject& object) {
+  const std::vector<ThreeMfColour>& colours = object.colours;
+  if (std::ranges::none_of(colours, [](const auto& each) { return each.colour.has_value(); }))
     return;
   // Triangles may have colours only where the object has one, which those without then get.
   Owned<NMR::PLib3MFDefaultPropertyHandler> whole;
-  check(NMR::lib3mf_object_createdefaultpropertyhandler(object, whole.out()),
+  check(NMR::lib3mf_object_createdefaultpropertyhandler(made, whole.out()),
         "defaultpropertyhandler");
   check(NMR::lib3mf_defaultpropertyhandler_setcolorrgb(whole.get(), kGrey, kGrey, kGrey),
         "setcolor");
   Owned<NMR::PLib3MFPropertyHandler> handler;
-  check(NMR::lib3mf_meshobject_createpropertyhandler(object, handler.out()), "propertyhandler");
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    if (!parts[p].colour) continue;
-    const auto [red, green, blue] = *parts[p].colour;
-    const std::size_t end = p + 1 < parts.size() ? parts[p + 1].first : triangles;
-    for (std::size_t t = parts[p].first; t < end; ++t)
+  check(NMR::lib3mf_meshobject_createpropertyhandler(made, handler.out()), "propertyhandler");
+  for (std::size_t p = 0; p < colours.size(); ++p) {
+    if (!colours[p].colour) continue;
+    const auto [red, green, blue] = *colours[p].colour;
+    const std::size_t end = p + 1 < colours.size() ? colours[p + 1].first : object.triangles.size();
+    for (std::size_t t = colours[p].first; t < end; ++t)
       check(NMR::lib3mf_propertyhandler_setsinglecolorrgb(
                 handler.get(), static_cast<std::uint32_t>(t), red, green, blue),
             "setsinglecolor");
   }
 }
 
+void add(NMR::PLib3MFModel* model, const ThreeMfObject& object) {
+  Owned<NMR::PLib3MFModelMeshObject> made;
+  check(NMR::lib3mf_model_addmeshobject(model, made.out()), "addmeshobject");
+  check(NMR::lib3mf_object_setnameutf8(made.get(), object.name.c_str()), "setname");
+  give_geometry(made.get(), object);
+  give_colours(made.get(), object);
+  Owned<NMR::PLib3MFModelBuildItem> item;
+  check(NMR::lib3mf_model_addbuilditem(model, made.get(), nullptr, item.out()), "addbuilditem");
+}
+
 }  // namespace
 
-std::string three_mf_bytes(const std::string& name, std::span<const Vec3> points,
-                           std::span<const std::array<int, 3>> triangles,
-                           const std::vector<ThreeMfPart>& parts) {
+std::string three_mf_bytes(const std::vector<ThreeMfObject>& objects) {
   Owned<NMR::PLib3MFModel> model;
   check(NMR::lib3mf_createmodel(model.out()), "createmodel");
   check(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), "setunit");
-  Owned<NMR::PLib3MFModelMeshObject> object;
-  check(NMR::lib3mf_model_addmeshobject(model.get(), object.out()), "addmeshobject");
-  check(NMR::lib3mf_object_setnameutf8(object.get(), name.c_str()), "setname");
-  give_geometry(object.get(), points, triangles);
-  give_colours(object.get(), triangles.size(), parts);
-  Owned<NMR::PLib3MFModelBuildItem> item;
-  check(NMR::lib3mf_model_addbuilditem(model.get(), object.get(), nullptr, item.out()),
-        "addbuilditem");
+  for (const ThreeMfObject& object : objects) add(model.get(), object);
   Owned<NMR::PLib3MFModelWriter> writer;
   check(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), "querywriter");
   unsigned long long size = 0;

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -22,19 +21,24 @@ class ThreeMfFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One body, and its triangles from a place on, which have a colour or none.
-struct ThreeMfPart {
+/// Triangles from a place on, up to the next, which have a colour or none.
+struct ThreeMfColour {
   std::size_t first = 0;
   std::optional<std::array<std::uint8_t, 3>> colour{};
 };
 
-/// The content of a file with one object, in millimetres, coordinates in single precision.
+/// What programs list, place and print as one.
+struct ThreeMfObject {
+  std::string name;
+  std::vector<Vec3> points;                   ///< millimetres, kept in single precision
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise from outside, of three
+                                              ///< different points each
+  std::vector<ThreeMfColour> colours{};       ///< in order
+};
+
+/// The content of a file with these objects, each where its points are.
 ///
-/// triangles   counter-clockwise from outside, of three different points each
-/// parts       in order, up to the next
-/// throws      ThreeMfFailure
-std::string three_mf_bytes(const std::string& name, std::span<const Vec3> points,
-                           std::span<const std::array<int, 3>> triangles,
-                           const std::vector<ThreeMfPart>& parts);
+/// throws   ThreeMfFailure
+std::string three_mf_bytes(const std::vector<ThreeMfObject>& objects);
 
 }  // namespace blossom::lib3mf

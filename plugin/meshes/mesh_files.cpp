@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <map>
 #include <string_view>
 #include <system_error>
 
@@ -28,19 +29,71 @@ std::string small_ending(const fs::path& file) {
 }
 
 #ifdef BLOSSOM_WITH_LIB3MF
-// Triangles that repeat a corner have no place there.
-std::string three_mf(const FileMesh& mesh, const std::string& name) {
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<lib3mf::ThreeMfPart> parts;
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-    for (; next < mesh.groups.size() && mesh.groups[next].first <= k; ++next)
-      parts.push_back({triangles.size(), mesh.groups[next].colour});
-    const auto& [a, b, c] = mesh.triangles[k];
-    if (a != b && b != c && c != a) triangles.push_back(mesh.triangles[k]);
+// "machine:1/Shaft" of "machine:1/Shaft/Face3"; `whole` of "Face3", and before the first group.
+std::string part_of(const std::string& group, const std::string& whole) {
+  const std::size_t end = group.rfind('/');
+  return end == std::string::npos ? whole : group.substr(0, end);
+}
+
+// An object for each part that groups are named by. Triangles that repeat a corner have no place
+// there.
+class ThreeMfObjects {
+ public:
+  ThreeMfObjects(const FileMesh& mesh, const std::string& name)
+      : mesh_(mesh), owner_(mesh.points.size(), 0), number_(mesh.points.size(), 0) {
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+      for (; next < mesh.groups.size() && mesh.groups[next].first <= k; ++next) {
+        enter(part_of(mesh.groups[next].name, name));
+        current().colours.push_back({current().triangles.size(), mesh.groups[next].colour});
+      }
+      if (made_.empty()) enter(name);
+      add(mesh.triangles[k]);
+    }
+    std::erase_if(made_, [](const lib3mf::ThreeMfObject& each) { return each.triangles.empty(); });
   }
+
+  const std::vector<lib3mf::ThreeMfObject>& made() const { return made_; }
+
+ private:
+  lib3mf::ThreeMfObject& current() { return made_[current_]; }
+
+  void enter(const std::string& name) {
+    const auto [place, is_new] = places_.try_emplace(name, made_.size());
+    current_ = place->second;
+    if (is_new) made_.push_back({name, {}, {}, {}});
+  }
+
+  void add(const std::array<int, 3>& triangle) {
+    const auto& [a, b, c] = triangle;
+    if (a == b || b == c || c == a) return;
+    std::array<int, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = number_of(static_cast<std::size_t>(triangle[k]));
+    current().triangles.push_back(corners);
+  }
+
+  // A point of two parts is one of each.
+  int number_of(std::size_t point) {
+    if (owner_[point] != current_ + 1) {
+      owner_[point] = current_ + 1;
+      number_[point] = static_cast<int>(current().points.size());
+      current().points.push_back(mesh_.points[point]);
+    }
+    return number_[point];
+  }
+
+  const FileMesh& mesh_;
+  std::vector<lib3mf::ThreeMfObject> made_;
+  std::map<std::string, std::size_t> places_;  // in made_, by name
+  std::size_t current_ = 0;
+  std::vector<std::size_t> owner_;  // of a point: 1 + the object that had it last; 0 if none
+  std::vector<int> number_;         // in that object
+};
+
+std::string three_mf(const FileMesh& mesh, const std::string& name) {
   try {
-    return lib3mf::three_mf_bytes(name, mesh.points, triangles, parts);
+    return lib3mf::three_mf_bytes(ThreeMfObjects(mesh, name).made());
   } catch (const lib3mf::ThreeMfFailure& error) {
     throw occt::Failure(error.what());
   }

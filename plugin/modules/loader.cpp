@@ -6,7 +6,6 @@
 
 #include <array>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -72,11 +71,9 @@ const DocumentModule& document_module() {
 }  // namespace occt
 
 #ifdef BLOSSOM_WITH_LIB3MF
-std::string lib3mf::three_mf_bytes(const std::string& name, std::span<const Vec3> points,
-                                   std::span<const std::array<int, 3>> triangles,
-                                   const std::vector<ThreeMfPart>& parts) {
+std::string lib3mf::three_mf_bytes(const std::vector<ThreeMfObject>& objects) {
   static const void* const module = load("blossom_three_mf.so", "3MF files");
-  return static_cast<const ThreeMfModule*>(module)->bytes(name, points, triangles, parts);
+  return static_cast<const ThreeMfModule*>(module)->bytes(objects);
 }
 #endif
 

@@ -7,7 +7,9 @@ import pickle
 import struct
 import tempfile
 import unittest
+import zipfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 import blossom
 import numpy as np
@@ -103,6 +105,21 @@ class Meshes(unittest.TestCase):
         self.assertEqual(drilled.to_brep(), before)
 
     @unittest.skipIf(support.Part is None, support.NO_PART)
+    def test_3mf_has_an_object_for_each_part(self):
+        rows = [f"v {x + dx} {y} {z}" for dx in (0, 3) for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
+        rows += ["g rig:1/Rod/Face1", "f 1 3 2", "g rig:1/Rod/Face2", "f 1 2 4"]
+        rows += ["g Lid/Face1", "f 5 7 6", "f 5 6 8", "f 6 7 8", "f 7 5 8"]
+        rows += ["g rig:1/Rod/Face3", "f 2 3 4", "f 3 1 4"]
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "rig.obj").write_text("\n".join(rows) + "\n")
+            blossom.from_mesh(Path(folder) / "rig.obj").write(Path(folder) / "rig.3mf")
+            objects = _objects_of(Path(folder) / "rig.3mf")
+        self.assertEqual(list(objects), ["rig:1/Rod", "Lid"])
+        for vertices, triangles in objects.values():
+            self.assertEqual((len(vertices), len(triangles)), (4, 4))
+            a, b, c = (vertices[triangles[:, k]] for k in range(3))
+            self.assertAlmostEqual(np.einsum("ij,ij->", a, np.cross(b, c)) / 6, 1 / 6)
+
     def test_shapes_of_part_get_no_triangles(self):
         box = support.Part.makeCylinder(8, 40)
         with tempfile.TemporaryDirectory() as folder:
@@ -136,6 +153,22 @@ def _quietly_unmeshed(shape):
             continue
         faces.append(face)
     return faces
+
+
+def _objects_of(file):
+    """Vertices and triangles of the objects of a 3MF file, by name."""
+    space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+    with zipfile.ZipFile(file) as archive:
+        model = ElementTree.fromstring(archive.read("3D/3dmodel.model"))
+    listed = [item.get("objectid") for item in model.iter(space + "item")]
+    found = {}
+    for each in model.iter(space + "object"):
+        assert each.get("id") in listed
+        found[each.get("name")] = (
+            np.array([[float(v.get(k)) for k in "xyz"] for v in each.iter(space + "vertex")]),
+            np.array([[int(t.get(k)) for k in ("v1", "v2", "v3")] for t in each.iter(space + "triangle")]),
+        )
+    return found
 
 
 def _json_of(glb):
