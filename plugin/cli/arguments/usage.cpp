@@ -235,14 +235,13 @@ std::string missing_part(const CLI::App& command, const std::string& message) {
 // An option that is not known, if there is one: a value that follows it is not known either. But
 // where the command itself is not known, options behind it may be right.
 std::string unknown_word(const CLI::App& command, const std::vector<std::string>& extras) {
-  if (command.get_parent() != nullptr && command.get_require_subcommand_min() > 0 &&
-      !extras.front().starts_with('-'))
-    return no_such_command(command, extras.front());
-  const auto option = std::ranges::find_if(
-      extras, [](const std::string& text) { return text.size() > 1 && text[0] == '-'; });
+  const auto is_option = [](const std::string& text) { return text.size() > 1 && text[0] == '-'; };
+  const bool lacks_command = command.get_require_subcommand_min() > 0;
+  if (lacks_command && !is_option(extras.front())) return no_such_command(command, extras.front());
+  const auto option = std::ranges::find_if(extras, is_option);
   if (option != extras.end()) return no_such_option(command, *option);
-  return command.get_require_subcommand_min() > 0 ? no_such_command(command, extras.front())
-                                                  : too_many_inputs(command, extras.front());
+  return lacks_command ? no_such_command(command, extras.front())
+                       : too_many_inputs(command, extras.front());
 }
 
 // Whether words behind -- are left over as --each has more than a pattern: files, of which the
