@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What the program loads, and when.
 
+#include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -85,6 +88,26 @@ TEST_F(TheProgram, SaysWhichModuleIsMissing) {
       alone("convert " + model("brep").string() + " -o " + (folder_ / "out.3mf").string());
   EXPECT_NE(triangles.find("blossom_three_mf.so"), std::string::npos) << triangles;
   EXPECT_NE(triangles.find("code 1"), std::string::npos) << triangles;
+}
+
+TEST_F(TheProgram, GoesOnWithABatchWhileItIsInstalledAnew) {
+  constexpr int kJobs = 30;
+  fs::copy(modules(), folder_ / "modules");
+  std::string jobs;
+  for (int i = 0; i < kJobs; ++i)
+    jobs += R"({"id": ")" + std::to_string(i) + R"(", "arguments": ["info", "bowl.step"]})" + "\n";
+  write_text(folder_ / "jobs.jsonl", jobs);
+  std::atomic<bool> over{false};
+  std::thread installing([&] {
+    while (!over && text_of(folder_ / "out.jsonl").empty())
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    fs::remove_all(folder_ / "modules");
+  });
+  const std::string said = alone("batch " + (folder_ / "jobs.jsonl").string() + " -o " +
+                                 (folder_ / "out.jsonl").string());
+  over = true;
+  installing.join();
+  EXPECT_NE(said.find("30 jobs: 30 done"), std::string::npos) << said;
 }
 
 TEST_F(TheProgram, RefusesAModuleOfAnotherBuild) {
