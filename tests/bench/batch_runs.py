@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs many small jobs through `blossom batch` and Dask, disturbs them, and compares the results.
 
-    batch_runs.py BLOSSOM FOLDER --jobs 2000 --dask
+    batch_runs.py BLOSSOM FOLDER --jobs 2000 --models MODELS --disturb --dask
 
-Pairs of random bicubic patches are intersected, in three runs: undisturbed, with the driver killed
-and started again, and with `--dask` through two workers of which one is killed. Every result has to be
-there once and, but for times, to be that of the undisturbed run. Prints seconds, rates, processor time
-and memory. PYTHONPATH has the package `blossom`.
+Pairs of random bicubic patches are intersected, and with `--models` a tenth of the jobs asks for points
+and sections of the models in that folder. There are three runs: undisturbed, with the driver killed and
+started again, and with `--dask` through two workers, of which one is killed by its id at a third, and the
+driver with `--disturb` at two thirds and started again. Every result has to be there once and, but for
+times, to be that of the undisturbed run. Prints seconds, rates, processor time and memory. PYTHONPATH has
+the package `blossom`.
 """
 
 import argparse
@@ -36,12 +38,23 @@ def make_models(program, folder, count):
             subprocess.run([program, "convert", file, "-o", folder / f"{kind}{number}.brep", "-q"], check=True)
 
 
-def write_jobs(folder, count, models):
+def question(files, number):
+    """About a model: the nearest point, or a section, at places that differ from job to job."""
+    file = str(files[number % len(files)])
+    at = f"{number % 89},{number % 83},{number % 79}"
+    if number // len(files) % 2:
+        return ["query", "plane", file, "--point", at, "--normal", "1,2,3", "--json", "-"]
+    return ["query", "point", file, "--at", at, "--json", "-"]
+
+
+def write_jobs(folder, count, patches, files):
     with open(folder / "jobs.jsonl", "w", encoding="utf-8") as out:
         for number in range(count):
-            a, b = number % models, number // models % models
+            a, b = number % patches, number // patches % patches
             arguments = ["intersect", f"a{a}.brep", f"b{b}.brep", "--json", "-"]
-            out.write(json.dumps({"id": f"pair {number}", "arguments": arguments}) + "\n")
+            if files and number % 10 == 0:
+                arguments = question(files, number // 10)
+            out.write(json.dumps({"id": f"job {number}", "arguments": arguments}) + "\n")
 
 
 def lasting(line):
@@ -93,19 +106,28 @@ def start_cluster(folder):
     return address, processes
 
 
-def run_on_cluster(program, folder, jobs):
-    """With one of two workers killed when half of the results are there."""
+def run_on_cluster(program, folder, jobs, disturb):
+    """With one of two workers killed at a third of the results, and the driver at two thirds."""
     address, processes = start_cluster(folder)
     out = folder / "dask.jsonl"
     start = time.monotonic()
     command = [sys.executable, "-m", "blossom.distributed", folder / "jobs.jsonl", "-o", out,
                "--scheduler", address, "--program", program, "-q"]  # fmt: skip
-    driver = subprocess.Popen([str(word) for word in command])
+    command = [str(word) for word in command]
+    driver = subprocess.Popen(command)
     while driver.poll() is None:
         time.sleep(0.5)
-        if out.exists() and processes[1].poll() is None and out.read_bytes().count(b"\n") > jobs / 2:
+        have = out.read_bytes().count(b"\n") if out.exists() else 0
+        if processes[1].poll() is None and have > jobs / 3:
             processes[1].send_signal(signal.SIGKILL)
-            print(f"dask: a worker is killed after {time.monotonic() - start:.1f} s", flush=True)
+            print(f"dask: worker {processes[1].pid} killed after {time.monotonic() - start:.1f} s "
+                  f"with {have} results", flush=True)  # fmt: skip
+        if disturb and have > jobs * 2 / 3:
+            disturb = False
+            driver.kill()
+            driver.wait()
+            print(f"dask: driver killed after {time.monotonic() - start:.1f} s with {have} results", flush=True)
+            driver = subprocess.Popen(command)
     seconds = time.monotonic() - start
     for process in processes:
         process.kill()
@@ -119,15 +141,17 @@ def main():
     parser.add_argument("folder", type=Path)
     parser.add_argument("--jobs", type=int, default=2000)
     parser.add_argument("--in-flight", default="2")
+    parser.add_argument("--models", type=Path, help="folder of models to ask about, too")
     parser.add_argument("--disturb", action="store_true", help="kill the driver and start it again")
     parser.add_argument("--dask", action="store_true")
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
     program = os.path.abspath(given.program)
-    models = max(10, math.isqrt(given.jobs - 1) + 1)
-    if not (given.folder / f"b{models - 1}.brep").exists():
-        make_models(program, given.folder, models)
-    write_jobs(given.folder, given.jobs, models)
+    patches = max(10, math.isqrt(given.jobs - 1) + 1)
+    if not (given.folder / f"b{patches - 1}.brep").exists():
+        make_models(program, given.folder, patches)
+    files = sorted(file for ending in ("brep", "step", "stp", "iges") for file in given.models.glob(f"*.{ending}")) if given.models else []
+    write_jobs(given.folder, given.jobs, patches, files)
 
     batch = [program, "batch", given.folder / "jobs.jsonl", "-q", "-j", given.in_flight, "-o"]
     calm = given.folder / "calm.jsonl"
@@ -150,7 +174,7 @@ def main():
               f"{'the same' if same else 'NOT THE SAME'}", flush=True)  # fmt: skip
     if given.dask:
         (given.folder / "dask.jsonl").unlink(missing_ok=True)
-        seconds, code = run_on_cluster(program, given.folder, given.jobs)
+        seconds, code = run_on_cluster(program, given.folder, given.jobs, given.disturb)
         same = results(given.folder / "dask.jsonl", given.jobs) == expected
         print(f"dask: {seconds:.1f} s, {given.jobs / seconds:.1f} a second, code {code}: "
               f"{'the same' if same else 'NOT THE SAME'}", flush=True)  # fmt: skip
