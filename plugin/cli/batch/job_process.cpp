@@ -173,7 +173,8 @@ Outcome JobProcess::outcome(int status, double megabytes) const {
   outcome.memory = megabytes;
   outcome.out = text_of(out_, kMaxJobOutput);
   outcome.err = text_of(err_, kMaxJobMessages);
-  outcome.crashed = shared_->crashed || (WIFSIGNALED(status) && stopped_for_.empty());
+  const bool refused = setup_.megabytes > 0 && shared_->lacked_memory;
+  outcome.crashed = !refused && (shared_->crashed || (WIFSIGNALED(status) && stopped_for_.empty()));
   const auto say = [&](const std::string& text) { outcome.err += "blossom: " + text + "\n"; };
   if (!stopped_for_.empty()) {
     say("the job was stopped: " + stopped_for_);
@@ -184,7 +185,7 @@ Outcome JobProcess::outcome(int status, double megabytes) const {
   } else {
     outcome.code = WEXITSTATUS(status);
   }
-  const bool refused = setup_.megabytes > 0 && shared_->lacked_memory;
+  if (refused) say("the job was stopped: it wants more memory than its limit");
   if (outcome.code == kExitStopped || refused)
     outcome.status = JobStatus::Stopped;
   else if (outcome.code == kExitComplete || outcome.code == kExitTolerance ||

@@ -50,7 +50,8 @@ struct Board {
   std::atomic<double> time_limit{0};       // seconds from the start; 0 for none
   std::atomic<double> processor_limit{0};  // processor seconds of the child; 0 for none
   std::atomic<Phase> phase{Phase::Starting};
-  std::atomic<bool> lacks_memory{false};
+  std::atomic<bool> lacks_memory{false};  // for good: what begins again may have left out something
+  std::atomic<bool> told_lack{false};     // of memory, where nobody could catch it
   // Read after the end of the child only.
   char subject[4096] = "";
   char step[4096] = "";
@@ -60,7 +61,6 @@ struct Board {
 
   void begin() {
     time_limit = greatest_time_limit;
-    lacks_memory = false;
     processor_limit = 0;
     phase = Phase::Starting;
     subject[0] = step[0] = '\0';
@@ -254,7 +254,8 @@ bool lacks_stack() {
   } catch (...) {
   }
   if (!lacks_memory) uncaught_as_ever();
-  if (board->lacks_memory.exchange(true)) _exit(kExitFailure);  // another thread has told it
+  board->lacks_memory = true;
+  if (board->told_lack.exchange(true)) _exit(kExitFailure);  // by another thread
   const auto say = [](const char* words) {
     if (write(STDERR_FILENO, words, std::strlen(words)) < 0) _exit(kExitFailure);
   };

@@ -37,8 +37,9 @@ int supervised(const std::function<int()>& work);
 
 /// How supervised work came to its end, where the exit code alone does not say it.
 struct Ending {
-  bool crashed = false;        ///< a signal ended it that nobody had sent
-  bool lacked_memory = false;  ///< it could not have the memory that it asked for
+  bool crashed = false;  ///< a signal ended it that nobody had sent
+  bool lacked_memory =
+      false;  ///< it could not have all memory that it asked for, whatever it did then
 };
 
 /// Of the last work that was supervised in this process.

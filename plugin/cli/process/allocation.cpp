@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Memory that is refused is noted, whatever becomes of it: Open CASCADE's repairs catch their own
+// want of memory and go on with less, its parser calls the file unreadable. The functions stand
+// before those of glibc, for all libraries of the process, and hand on to them.
+
+#include <cstddef>
+#include <cstdlib>
+
+#include "plugin/cli/process/supervision.h"
+
+#ifdef BLOSSOM_NOTES_ALLOCATIONS  // sanitizers have their own
+
+extern "C" {
+// NOLINTBEGIN(bugprone-reserved-identifier): what glibc calls them
+void* __libc_malloc(std::size_t size) noexcept;
+void* __libc_calloc(std::size_t count, std::size_t size) noexcept;
+void* __libc_realloc(void* memory, std::size_t size) noexcept;
+// NOLINTEND(bugprone-reserved-identifier)
+}
+
+namespace blossom::cli {
+namespace {
+
+void* noted(void* memory, std::size_t size) {
+  if (memory == nullptr && size > 0) report_lack_of_memory();
+  return memory;
+}
+
+}  // namespace
+}  // namespace blossom::cli
+
+extern "C" {
+
+void* malloc(std::size_t size) noexcept { return blossom::cli::noted(__libc_malloc(size), size); }
+
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  return blossom::cli::noted(__libc_calloc(count, size), count > 0 ? size : 0);
+}
+
+void* realloc(void* memory, std::size_t size) noexcept {
+  return blossom::cli::noted(__libc_realloc(memory, size), size);
+}
+}
+
+#endif
