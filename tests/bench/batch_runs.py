@@ -150,7 +150,8 @@ def main():
     patches = max(10, math.isqrt(given.jobs - 1) + 1)
     if not (given.folder / f"b{patches - 1}.brep").exists():
         make_models(program, given.folder, patches)
-    files = sorted(file for ending in ("brep", "step", "stp", "iges") for file in given.models.glob(f"*.{ending}")) if given.models else []
+    known = (".brep", ".step", ".stp", ".iges")
+    files = [file for file in sorted(given.models.iterdir()) if file.suffix in known] if given.models else []
     write_jobs(given.folder, given.jobs, patches, files)
 
     batch = [program, "batch", given.folder / "jobs.jsonl", "-q", "-j", given.in_flight, "-o"]
