@@ -122,8 +122,7 @@ SplineChart::SplineChart(const BezierSurface& surface, double fine) : surface_(s
   validate(surface, "to be meshed");
   drop_thin_spans(surface_, kThin * fine);
   polynomials_ = polynomials_of(surface_);
-  choose_cells(fine);
-  enclose();
+  enclose(choose_cells(fine));
   find_jumps();
 }
 
@@ -143,15 +142,16 @@ PointNormal SplineChart::frame_at(const Vec2& uv) const {
   return {jet.point, unit(cross(jet.u, jet.v))};
 }
 
-void SplineChart::choose_cells(double fine) {
+Grid<CellJet> SplineChart::choose_cells(double fine) {
   const Grid<RationalBezierPatch>& patches = surface_.patches;
+  Grid<CellJet> wholes(patches.rows(), patches.columns());
   u_parts_.assign(index(patches.rows()), 1);
   v_parts_.assign(index(patches.columns()), 1);
   for (int i = 0; i < patches.rows(); ++i)
     for (int j = 0; j < patches.columns(); ++j) {
       const Interval u{surface_.u_knots[index(i)], surface_.u_knots[index(i + 1)]};
       const Interval v{surface_.v_knots[index(j)], surface_.v_knots[index(j + 1)]};
-      const CellJet whole =
+      const CellJet& whole = wholes(i, j) =
           cell_jet(patches(i, j), {u, surface_.u_law, {0, 1}}, {v, surface_.v_law, {0, 1}});
       const Parts parts = wanted_parts(whole, length(u), length(v), fine);
       const bool bends_u = whole.jet.uu.size() + whole.jet.uv.size() > 0;
@@ -172,9 +172,12 @@ void SplineChart::choose_cells(double fine) {
   };
   u_ = ends(surface_.u_knots, surface_.u_law, u_parts_);
   v_ = ends(surface_.v_knots, surface_.v_law, v_parts_);
+  return wholes;
 }
 
-void SplineChart::enclose() {
+// Fits have many more patches than facets where the deviation is large: most are one cell, and
+// known.
+void SplineChart::enclose(const Grid<CellJet>& wholes) {
   const int rows = static_cast<int>(u_.size()) - 1, columns = static_cast<int>(v_.size()) - 1;
   jets_ = Grid<JetEnclosure>(rows, columns);
   curvatures_ = Grid<CurvatureSample>(rows, columns);
@@ -187,14 +190,17 @@ void SplineChart::enclose() {
       const Interval v{surface_.v_knots[index(j)], surface_.v_knots[index(j + 1)]};
       const std::vector<double> v_cuts = even_cuts(v_parts_[index(j)]);
       const RationalBezierPatch& patch = surface_.patches(i, j);
-      Grid<RationalBezierPatch> cells = subdivide(patch, u_cuts, v_cuts);
-      for (int k = 0; k < cells.rows(); ++k)
-        for (int l = 0; l < cells.columns(); ++l) {
+      const int parts_u = u_parts_[index(i)], parts_v = v_parts_[index(j)];
+      const bool is_one = parts_u == 1 && parts_v == 1;
+      Grid<RationalBezierPatch> cells;
+      if (!is_one) cells = subdivide(patch, u_cuts, v_cuts);
+      for (int k = 0; k < parts_u; ++k)
+        for (int l = 0; l < parts_v; ++l) {
           const Interval part_u{u_cuts[index(k)], u_cuts[index(k + 1)]};
           const Interval part_v{v_cuts[index(l)], v_cuts[index(l + 1)]};
           const CellSide side_u{u, surface_.u_law, part_u}, side_v{v, surface_.v_law, part_v};
           jets_(first_row + k, first_column + l) =
-              cell_jet(std::move(cells(k, l)), side_u, side_v).jet;
+              is_one ? wholes(i, j).jet : cell_jet(std::move(cells(k, l)), side_u, side_v).jet;
           const double s = at(part_u, 0.5), t = at(part_v, 0.5);
           curvatures_(first_row + k, first_column + l) =
               curvature_of(jet_at(patch, s, t, 2), 1 / parameter_derivative(surface_.u_law, u, s),

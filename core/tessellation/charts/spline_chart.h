@@ -9,6 +9,7 @@
 
 #include "core/forms/surface.h"
 #include "core/math/grid.h"
+#include "core/tessellation/charts/cell_jets.h"
 #include "core/tessellation/charts/curvature_sample.h"
 #include "core/tessellation/charts/jet_enclosure.h"
 
@@ -45,8 +46,8 @@ class SplineChart {
   std::optional<double> own_distance(const JetEnclosure& of_cells,
                                      const std::array<Vec2, 3>& corners, const Vec3& normal) const;
   void add_jumps(const Vec2& low, const Vec2& high, JetEnclosure& jet) const;
-  void choose_cells(double fine);
-  void enclose();
+  Grid<CellJet> choose_cells(double fine);  // of each whole patch
+  void enclose(const Grid<CellJet>& wholes);
   void find_jumps();
 
   BezierSurface surface_;
