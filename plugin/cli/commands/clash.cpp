@@ -125,7 +125,8 @@ std::string clash_text(const ClashAnswer& answer) {
     rows = reports::rows_of(answer, reports::ClashRows::All);
   else if (verbosity() != Verbosity::Verbose)
     std::erase_if(rows, [](const ClashRow& row) {
-      return !row.clash->measured && row.clash->obstacles.empty();
+      return row.clash->relation == occt::Relation::Disjoint && !row.clash->measured &&
+             row.clash->obstacles.empty();
     });
   const auto padded = [](const std::string& word, std::size_t width) {
     return word + std::string(width > word.size() ? width - word.size() : 0, ' ');

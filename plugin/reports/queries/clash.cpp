@@ -139,7 +139,7 @@ std::string csv_line(const ClashRow& row, const ClashAnswer& answer) {
   fields.push_back(csv_number(common ? clash->common->upper : kNone));
   fields.push_back(csv_number(apart ? row.lower : kNone));
   fields.push_back(csv_number(apart && clash != nullptr && clash->measured ? clash->upper : kNone));
-  const bool has_place = clash != nullptr && clash->measured;
+  const bool has_place = touches || common || (clash != nullptr && clash->measured);
   const std::vector<std::string> place =
       has_place ? place_fields(*clash) : std::vector<std::string>(3);
   fields.insert(fields.end(), place.begin(), place.end());

@@ -227,6 +227,19 @@ TEST_F(ClashCommand, MeasuresDistancesUpToAClearance) {
   EXPECT_EQ(blossom({"clash", file, "--clearance", "0.4", "--fail-on", "findings"}).code, 0);
 }
 
+// The boundaries are 10 apart, which is more than the clearance.
+TEST_F(ClashCommand, ListsWhatIsDeepInsideOfAPartWhateverTheClearance) {
+  const std::string file = file_of(machine(), "machine.step"), table = folder_ / "table.csv";
+  const Finished run = blossom({"clash", file, "--clearance", "3", "--table", table});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("Marble is inside"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\n  23 pairs farther apart than 3; "), std::string::npos) << run.out;
+  const std::string rows = testing::text_of(table);
+  const std::string row = rows.substr(rows.find("\nCase,Marble,contained,"));
+  EXPECT_EQ(row.find(",,,,complete"), std::string::npos) << "where it is deepest is missing\n"
+                                                         << row;
+}
+
 TEST_F(ClashCommand, ComparesPartsOfTwoModelsWithEachOther) {
   const std::string a =
       file_of({{"one", box(0, 0, 0, 1, 1, 1)}, {"two", box(0.5, 0, 0, 1, 1, 1)}}, "a.step");
