@@ -17,6 +17,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exchange/brep_bytes.h"
+#include "adapters/occt/reading.h"
 #include "core/base/errors.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/control.h"
@@ -29,6 +30,7 @@
 #include "plugin/reports/models/info.h"
 #include "plugin/reports/models/reading.h"
 #include "plugin/reports/models/repairs.h"
+#include "plugin/reports/text/number_text.h"
 
 namespace py = pybind11;
 using py::arg;
@@ -53,10 +55,18 @@ Control control_of(double tolerance, const std::string& form, double time_limit,
   return control;
 }
 
+// No file may end the program that Python runs in, FreeCAD, say.
 SharedModel read_file(const std::string& path, bool strict, const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
-    occt::ReadOptions options;
-    options.step = [&watch](const char*) { watch.stop(); };
+    const auto stop = [&] {
+      watch.stop();
+      const double limit = control.engine.time_limit;
+      if (limit > 0 && watch.seconds() > limit)
+        throw occt::Failure(path + ": the time limit of " + reports::number_text(limit) +
+                            " s was reached while reading it");
+    };
+    occt::ReadOptions options = occt::rehearsed(path, {.damaged = true}, stop);
+    options.step = [&stop](const char*) { stop(); };
     occt::Model model = occt::read_model(path, options);
     if (strict && model.reading().grade() == occt::ReadingGrade::ShapesLost)
       throw occt::BadModel(path + ": is refused as strict: " + model.reading().summary());

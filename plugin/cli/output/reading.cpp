@@ -59,19 +59,10 @@ ReadingPolicy& reading_policy() {
   return policy;
 }
 
-double reading_allowance(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
-  const std::string ending = file.extension().string();
-  const bool packed =
-      ending.ends_with('z') || ending.ends_with('Z') || ending == ".zip" || ending == ".ZIP";
-  return error ? 1 : 1 + (packed ? 1.5e-4 : 1.5e-5) * bytes;
-}
-
 occt::Model read_and_report(const std::filesystem::path& file) {
   const std::string name = file.string();
   enter(Phase::Reading, name);
-  const double allowance = reading_allowance(file);
+  const double allowance = occt::reading_allowance(file);
   allow_processor_time(allowance);
   occt::ReadOptions options{.names = !has_failed(occt::kReadingNames + (" of " + name)),
                             .looks = reading_policy().looks,
@@ -87,7 +78,7 @@ occt::Model read_and_report(const std::filesystem::path& file) {
 }
 
 occt::CheckRunner watched_checks(const std::filesystem::path& file) {
-  return [name = file.string(), allowance = reading_allowance(file)](
+  return [name = file.string(), allowance = occt::reading_allowance(file)](
              const std::string& what, const std::function<void()>& work) {
     stop_if_interrupted();
     const std::string step = what + " of " + name;

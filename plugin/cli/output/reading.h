@@ -23,11 +23,6 @@ struct ReadingPolicy {
 };
 ReadingPolicy& reading_policy();
 
-/// Processor seconds that Open CASCADE may take to read a file, or to check a face of it. The
-/// slowest sound files that we know take 7e-6 s a byte, most a tenth of that; packed files are up
-/// to ten times as long as they seem.
-double reading_allowance(const std::filesystem::path& file);
-
 /// Reads a model, telling the supervision each step, says on stderr what is lost, and keeps it for
 /// the reports.
 /// throws   occt::BadModel as read_model, or if shapes are missing and the policy is strict

@@ -108,6 +108,33 @@ class Reading(unittest.TestCase):
                 model = blossom.read(path)
         self.assertEqual(model.reading["grade"], "shapes lost")
 
+    def test_no_file_ends_the_program(self):
+        text = BLOCK.read_text()
+        nested = "#1=POINT(" + "(" * 200_000 + ")" * 200_000 + ");\nENDSEC;\nEND-ISO-10303-21;\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "deep.step")
+            path.write_text(text[: text.index("DATA;") + 6] + nested)
+            with self.assertRaisesRegex(ValueError, "crashes while reading the entities"):
+                blossom.read(path)
+
+    def test_faces_of_damaged_entities_are_those_of_the_program(self):
+        text = re.sub(r"(EDGE_CURVE\('[^']*',#\d+,#\d+),#\d+", r"\1,$", BLOCK.read_text(), count=1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "broken.step")
+            path.write_text(text)
+            with self.assertWarnsRegex(UserWarning, "shapes are missing or not as they are"):
+                model = blossom.read(path)
+            self.assertEqual(model.counts, told_by_program("info", str(path))["counts"])
+            self.assertEqual(model.counts["faces"], 6)
+
+    def test_reading_ends_at_a_time_limit_and_by_a_handle(self):
+        with self.assertRaisesRegex(blossom.Error, "the time limit of 1e-9 s was reached"):
+            blossom.read(BLOCK, time_limit=1e-9)
+        cancel = blossom.Cancel()
+        cancel.cancel()
+        with self.assertRaises(blossom.Cancelled):
+            blossom.read(BLOCK, cancel=cancel)
+
     def test_results_outlive_the_models_that_they_are_of(self):
         drilled = blossom.read(BLOCK).solid("cut", DRILL)
         again = blossom.shape(drilled).solid("cut", planes=[((0, 0, 10), (0, 0, 1))])
