@@ -126,13 +126,14 @@ std::string no_such_command(const CLI::App& parent, const std::string& typed) {
 
 std::string no_such_option(const CLI::App& command, const std::string& typed) {
   const std::string option = typed.substr(0, typed.find('='));
-  if (command.get_parent() == nullptr)
-    return "there is no option '" + option + "' before the command; options come after it";
   std::vector<std::string> names;
   for (const CLI::Option* known : command.get_options())
     for (const std::string& name : known->get_lnames()) names.push_back(name);
   const std::size_t word = option.find_first_not_of('-');
   std::string near = word < 2 ? "" : did_you_mean(option.substr(word), names, "--");
+  if (command.get_parent() == nullptr)
+    return "there is no option '" + option + "' before the command" +
+           (near.empty() ? "; options come after it" : near);
   const Options missing = options_where(
       command, [](const CLI::Option& each) { return is_missing(each) && !each.get_positional(); });
   if (near.empty() && !missing.empty())

@@ -107,6 +107,8 @@ def path(value: Any, name: str) -> str:
         if isinstance(made, str):
             if "\0" in made:
                 raise ValueError(f"{name}: a file's name has no null character")
+            if not made:
+                raise ValueError(f"{name}: the name of a file is empty")
             return made
     raise TypeError(f"{name}: a str or a Path is wanted, got {kind(value)}")
 

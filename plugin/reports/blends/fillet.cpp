@@ -7,6 +7,9 @@
 #include <set>
 #include <utility>
 
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/edge_facts.h"
 #include "core/base/errors.h"
@@ -138,8 +141,10 @@ void add_between(const Input& part, std::pair<int, int> faces,
 void refuse_edges_beside(const Input& part, const std::set<int>& edges) {
   if (is_whole(part)) return;
   const std::set<int> own = edge_numbers(part);
+  TopTools_IndexedMapOfShape all;  // an edge that is not there at all is told by who rounds it
+  TopExp::MapShapes(part.model.shape(), TopAbs_EDGE, all);
   for (const int edge : edges)
-    if (!own.contains(edge))
+    if (edge <= all.Extent() && !own.contains(edge))
       throw InvalidInput(part.name + ": edge " + std::to_string(edge) +
                          " is of another part; info --edges has the numbers");
 }

@@ -154,6 +154,9 @@ TEST_F(Selectors, NamePartsOfWhichEdgesAreRounded) {
   const Finished beside = made({"--edges", "1", "--radius", "0.2"});
   EXPECT_EQ(beside.code, 2);
   EXPECT_NE(beside.err.find("edge 1 is of another part"), std::string::npos) << beside.err;
+  const Finished nowhere = made({"--edges", "999", "--radius", "0.2"});
+  EXPECT_EQ(nowhere.code, 2);
+  EXPECT_NE(nowhere.err.find("there is no edge 999, only 1 to"), std::string::npos) << nowhere.err;
   const Finished face =
       blossom({"blend", "chamfer", file_ + "#1", "--edges", "1", "--distance", "1"});
   EXPECT_NE(face.err.find("chamfers are made in whole models and parts"), std::string::npos)

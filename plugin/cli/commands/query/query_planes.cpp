@@ -130,12 +130,8 @@ NamedPlane plane_in(const std::string& line, const std::string& where) {
   std::string words = line;
   for (char& c : words) c = c == ',' ? ' ' : c;
   std::istringstream text(words);
-  std::string numbers, name;
-  for (int i = 0; i < 6; ++i) {
-    std::string word;
-    text >> word;
-    numbers += (i == 0 ? "" : ",") + word;
-  }
+  std::string numbers, name, word;
+  for (int i = 0; i < 6 && text >> word; ++i) numbers += (i == 0 ? "" : ",") + word;
   std::getline(text >> std::ws, name);
   return {parse_plane(numbers, where), name};
 }
