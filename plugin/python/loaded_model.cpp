@@ -139,6 +139,18 @@ const occt::ShapeRays& LoadedModel::rays(double tolerance, const Watch& watch) {
   return *rays_;
 }
 
+std::shared_ptr<LoadedModel> LoadedModel::usable_part(const Watch& watch) {
+  if (usable_known_ || file() == nullptr || is_part()) return usable_;
+  reports::Input input = repaired_input(watch, reports::LooseFaces::Kept);
+  reports::UnusableFaces dropped = reports::drop_unusable_faces(input);
+  if (!dropped.open.empty() || !dropped.lines.empty()) {
+    usable_ = part(input.numbers, {}, name_);
+    usable_->left_out_ = std::move(dropped);
+  }
+  usable_known_ = true;
+  return usable_;
+}
+
 BothTurns::BothTurns(LoadedModel& a, LoadedModel& b, const Watch& watch) {
   // By address, so that two questions about the same two models never wait for each other.
   LoadedModel* const lower = std::less<>()(a.turn_order(), b.turn_order()) ? &a : &b;

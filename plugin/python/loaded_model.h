@@ -73,6 +73,12 @@ class LoadedModel {
   /// Ready for distances.
   reports::MeasuredInput& measured(const Watch& watch);
   const occt::ShapeRays& rays(double tolerance, const Watch& watch);
+  /// All of a file's faces but those that cannot be searched (reports::drop_unusable_faces); null
+  /// if all can, or some are chosen.
+  std::shared_ptr<LoadedModel> usable_part(const Watch& watch);
+
+  /// Of such a part.
+  const reports::UnusableFaces& left_out() const { return left_out_; }
 
  private:
   LoadedModel() = default;
@@ -92,6 +98,9 @@ class LoadedModel {
   std::optional<reports::MeasuredInput> measured_;
   std::optional<occt::ShapeRays> rays_;
   double rays_tolerance_ = 0;
+  std::shared_ptr<LoadedModel> usable_;
+  bool usable_known_ = false;
+  reports::UnusableFaces left_out_;
 };
 
 using SharedModel = std::shared_ptr<LoadedModel>;

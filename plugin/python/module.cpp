@@ -172,6 +172,22 @@ std::vector<std::string> words_in(LoadedModel& model, const std::string& list) {
   return in_turn(model, [&](LoadedModel& m) { return reports::words_in(m.model(), list); });
 }
 
+SharedModel usable_part(LoadedModel& model, const Control& control) {
+  return interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model.turn(watch);
+    return model.usable_part(watch);
+  });
+}
+
+// What faces have that it was made without, and their numbers.
+py::dict left_out(const LoadedModel& model) {
+  const reports::UnusableFaces& faces = model.left_out();
+  py::dict numbers;
+  if (!faces.open.empty()) numbers["lost a border"] = faces.open;
+  if (!faces.lines.empty()) numbers["no width"] = faces.lines;
+  return numbers;
+}
+
 TopoDS_Shape chosen_shape(LoadedModel& model) { return model.shape(); }
 
 /// A property that `ask(model)` tells in the model's turn.
@@ -200,6 +216,8 @@ void add_model(py::module_& module) {
       .def("repairs", &model_repairs)
       .def("part", &part_of, arg("numbers"), arg("words"), arg("name"))
       .def("words_in", &words_in, arg("list"))
+      .def("usable_part", &usable_part, arg("control"))
+      .def_property_readonly("left_out", &left_out)
       .def("brep", &brep_bytes)
       .def("swig", [](LoadedModel& m) { return swig_from_shape(in_turn(m, chosen_shape)); })
       .def("write", &write_file, arg("path"), arg("control"));

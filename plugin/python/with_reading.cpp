@@ -10,6 +10,8 @@ namespace blossom::python {
 namespace {
 
 bool lost_shapes(const SharedModel& model) {
+  const reports::UnusableFaces& left_out = model->left_out();
+  if (!left_out.open.empty() || !left_out.lines.empty()) return true;
   const occt::Model* const file = model->file();
   return file != nullptr && file->reading().grade() == occt::ReadingGrade::ShapesLost;
 }

@@ -2,7 +2,7 @@
 """A model that stays in memory, and the questions it answers."""
 
 import os
-from typing import Any, Dict, Iterator, List, Optional, Union
+from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 
 from . import _checks, _core, _shapes
 from ._clashes import Clash
@@ -147,33 +147,38 @@ class Model(Operations):
             )
         )
 
+    def _searched(self, options: Dict[str, Any]) -> Tuple[_core.Model, _core.Control]:
+        """What a question looks at, and how."""
+        control = _checks.control(options)
+        return _shapes.searched(self._core, control), control
+
+    def _searched_both(
+        self, other: Any, options: Dict[str, Any]
+    ) -> Tuple[_core.Model, _core.Model, _core.Control]:
+        b = core_of(other, "other")
+        control = _checks.control(options)
+        return _shapes.searched(self._core, control), _shapes.searched(b, control), control
+
     def check(self, **options: Any) -> Check:
         """What is wrong with it, with gaps measured beside stated tolerances."""
         return Check(_core.check(self._core, _checks.control(options)))
 
     def intersect(self, other: Any, **options: Any) -> Intersection:
         """All intersections with another shape."""
-        b = core_of(other, "other")
-        return Intersection(_core.intersect(self._core, b, _checks.control(options)))
+        return Intersection(_core.intersect(*self._searched_both(other, options)))
 
     def self_intersect(self, faces: bool = False, **options: Any) -> SelfIntersection:
         """Where each face meets itself; with `faces`, also different faces each other."""
+        model, control = self._searched(options)
         return SelfIntersection(
-            _core.self_intersect(
-                self._core, _checks.flag(faces, "faces"), _checks.control(options)
-            )
+            _core.self_intersect(model, _checks.flag(faces, "faces"), control)
         )
 
     def section(self, point: Any, normal: Any, **options: Any) -> Section:
         """The section with the plane through a point; the normal may have any length."""
-        return Section(
-            _core.section(
-                self._core,
-                _checks.vector(point, "point"),
-                _checks.vector(normal, "normal"),
-                _checks.control(options),
-            )
-        )
+        at, along = _checks.vector(point, "point"), _checks.vector(normal, "normal")
+        model, control = self._searched(options)
+        return Section(_core.section(model, at, along, control))
 
     def sections(
         self,
@@ -191,7 +196,8 @@ class Model(Operations):
         point, normal   of offsets
         """
         listed = _checks.planes_of_sections(planes, offsets, point, normal)
-        return Sections(_core.sections(self._core, listed, _checks.control(options)))
+        model, control = self._searched(options)
+        return Sections(_core.sections(model, listed, control))
 
     def clash(
         self,
@@ -235,42 +241,29 @@ class Model(Operations):
         self, origin: Any, direction: Any, first: bool = False, line: bool = False, **options: Any
     ) -> RayHits:
         """What a ray hits, in order; with `first` no more than the first, with `line` both ways."""
-        return RayHits(
-            _core.ray(
-                self._core,
-                _checks.vector(origin, "origin"),
-                _checks.vector(direction, "direction"),
-                _checks.flag(first, "first"),
-                _checks.flag(line, "line"),
-                _checks.control(options),
-            )
-        )
+        start, along = _checks.vector(origin, "origin"), _checks.vector(direction, "direction")
+        first, line = _checks.flag(first, "first"), _checks.flag(line, "line")
+        model, control = self._searched(options)
+        return RayHits(_core.ray(model, start, along, first, line, control))
 
     def distance(self, other: Any, **options: Any) -> Distance:
         """How far another shape is, 0 if one is inside of the other, and how they lie."""
-        b = core_of(other, "other")
-        return Distance(_core.distance(self._core, b, _checks.control(options)))
+        return Distance(_core.distance(*self._searched_both(other, options)))
 
     def does_intersect(self, other: Any, **options: Any) -> Meeting:
         """Whether there is a common point, as early as that is known."""
-        b = core_of(other, "other")
-        return Meeting(_core.does_intersect(self._core, b, _checks.control(options)))
+        return Meeting(_core.does_intersect(*self._searched_both(other, options)))
 
     def foot_points(self, at: Any, all: bool = True, **options: Any) -> FootPoints:
         """The nearest point to a point; with `all` every point where the distance is
         stationary."""
-        return FootPoints(
-            _core.nearest(
-                self._core,
-                _checks.vector(at, "at"),
-                _checks.flag(all, "all"),
-                _checks.control(options),
-            )
-        )
+        point, every = _checks.vector(at, "at"), _checks.flag(all, "all")
+        model, control = self._searched(options)
+        return FootPoints(_core.nearest(model, point, every, control))
 
     def mass(self, **options: Any) -> Mass:
         """Volume, area, centre of gravity and inertia, of closed solids and of other faces."""
-        return Mass(_core.mass(self._core, _checks.control(options)))
+        return Mass(_core.mass(*self._searched(options)))
 
     @property
     def volume(self) -> float:

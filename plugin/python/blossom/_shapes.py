@@ -97,6 +97,24 @@ def part_named(model: _core.Model, words: str, name: str, called: str) -> _core.
     return model.part(sorted(set(faces)), names, called)
 
 
+def searched(model: _core.Model, control: _core.Control) -> _core.Model:
+    """All of it but the faces of a file that nothing can be found on, of which it warns."""
+    if not model.file:
+        return model
+    usable = model.usable_part(control)
+    if usable is None:
+        return model
+    for what, numbers in usable.left_out.items():
+        faces = ", ".join(map(str, numbers))
+        warnings.warn(
+            f"{model.name}: face{'s' * (len(numbers) > 1)} {faces} "
+            f"ha{'ve' if len(numbers) > 1 else 's'} {what} and "
+            f"{'are' if len(numbers) > 1 else 'is'} left out",
+            stacklevel=4,  # who asks a question
+        )
+    return usable
+
+
 Packed = Tuple[str, bytes]
 
 

@@ -127,6 +127,25 @@ class Reading(unittest.TestCase):
             self.assertEqual(model.counts, told_by_program("info", str(path))["counts"])
             self.assertEqual(model.counts["faces"], 6)
 
+    @unittest.skipIf(Part is None, NO_PART)
+    def test_faces_of_no_width_are_left_out_and_warned_of(self):
+        there, back = Part.makeLine((5, 0, 0), (9, 0, 0)), Part.makeLine((9, 0, 0), (5, 0, 0))
+        line = Part.Face(Part.Plane(), Part.Wire([there, back]))
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "line.brep")
+            Part.makeCompound([line, *Part.makeBox(1, 2, 3).Faces[:3]]).exportBrep(str(path))
+            model = blossom.read(path)
+            for ask in (
+                lambda: model.self_intersect(faces=True),
+                lambda: model.ray((0.5, 9, 1), (0, -1, 0)),
+                lambda: model.section((0, 0, 1), (0, 0, 1)),
+                lambda: model.intersect(path),
+            ):
+                with self.assertWarnsRegex(UserWarning, "face 1 has no width and is left out"):
+                    self.assertEqual(ask().status, "tolerance")
+            with self.assertRaisesRegex(ValueError, "parameter box in v is empty"):
+                model.part([1]).self_intersect()
+
     def test_reading_ends_at_a_time_limit_and_by_a_handle(self):
         with self.assertRaisesRegex(blossom.Error, "the time limit of 1e-9 s was reached"):
             blossom.read(BLOCK, time_limit=1e-9)
