@@ -84,10 +84,17 @@ SharedModel read_passing(const std::string& path, const std::string& name) {
   return std::make_shared<LoadedModel>(name, model.copy(), reports::Repairing::Used);
 }
 
-SharedModel read_bytes(const py::bytes& bytes, const std::string& name) {
+// trusted   a program made them just now, and they are read at once
+SharedModel read_bytes(const py::bytes& bytes, const std::string& name, bool trusted) {
   const std::string_view view = bytes;
-  const py::gil_scoped_release released;
-  return std::make_shared<LoadedModel>(name, occt::shape_from_bytes(view, name));
+  if (trusted) {
+    const py::gil_scoped_release released;
+    return std::make_shared<LoadedModel>(name, occt::shape_from_bytes(view, name));
+  }
+  return interruptible(Control(), [&](const Watch& watch) {
+    const auto stop = [&watch] { watch.stop(); };
+    return std::make_shared<LoadedModel>(name, occt::rehearsed_shape_from_bytes(view, name, stop));
+  });
 }
 
 SharedModel from_swig(const py::handle& object, const std::string& name) {
@@ -223,7 +230,7 @@ void add_model(py::module_& module) {
       .def("write", &write_file, arg("path"), arg("control"));
   module.def("read_file", &read_file, arg("path"), arg("strict"), arg("control"));
   module.def("read_passing", &read_passing, arg("path"), arg("name"));
-  module.def("read_bytes", &read_bytes, arg("brep"), arg("name"));
+  module.def("read_bytes", &read_bytes, arg("brep"), arg("name"), arg("trusted"));
   module.def("from_swig", &from_swig, arg("shape"), arg("name"));
 }
 

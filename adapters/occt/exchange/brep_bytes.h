@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,12 @@ namespace blossom::occt {
 /// name     what the caller calls the argument, for messages
 /// throws   BadModel if the bytes hold no shape
 TopoDS_Shape shape_from_bytes(std::string_view bytes, const std::string& name);
+
+/// Likewise, for programs that must outlive any bytes: they are read in a child process first, see
+/// `rehearsed` in adapters/occt/reading.h.
+/// throws   BadModel, also if Open CASCADE crashes on them or never ends
+TopoDS_Shape rehearsed_shape_from_bytes(std::string_view bytes, const std::string& name,
+                                        const std::function<void()>& stop = {});
 
 /// BRep text. throws Failure if it cannot be made
 std::string brep_text(const TopoDS_Shape& shape);

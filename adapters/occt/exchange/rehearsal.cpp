@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Files are read in a child process before a program that must outlive them reads them itself.
+// What must not end a program is read in a child process before the program reads it itself.
 
 #include <fcntl.h>
 #include <poll.h>
@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/exchange/brep_bytes.h"
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/reading.h"
 #include "adapters/occt/shapes.h"
@@ -113,30 +114,31 @@ void leave_the_program_alone(rlim_t processor_seconds) {
 #endif
 }
 
-[[noreturn]] void read_as_child(const std::filesystem::path& file, ReadOptions options,
-                                rlim_t processor_seconds, Board& board) {
+using Step = std::function<void(const char* step)>;
+using Reader = std::function<void(const Step&)>;  // says what it does
+
+[[noreturn]] void read_as_child(const Reader& read, rlim_t processor_seconds, Board& board) {
   leave_the_program_alone(processor_seconds);
   new (&exchange_lock()) std::recursive_mutex;  // whose owner there is not here
-  options.step = [&board](const char* step) {
-    board.step[std::string_view(step).copy(board.step, sizeof(board.step) - 1)] = '\0';
-  };
   try {
-    read_model(file, options);
+    read([&board](const char* step) {
+      board.step[std::string_view(step).copy(board.step, sizeof(board.step) - 1)] = '\0';
+    });
   } catch (...) {  // who reads it after this is told the same
   }
   board.finished = true;
   _exit(0);
 }
 
-/// How reading a file ended.
+/// How reading ended.
 struct Rehearsal {
   bool finished = true;
   bool overdue = false;  ///< it took more processor time than it may
   std::string step{};    ///< that it was at
 };
 
-Rehearsal rehearse(const std::filesystem::path& file, const ReadOptions& options,
-                   rlim_t processor_seconds, const std::function<void()>& stop) {
+Rehearsal rehearse(const Reader& read, rlim_t processor_seconds,
+                   const std::function<void()>& stop) {
   const SharedBoard shared;
   Board* const board = shared.get();
   if (board == nullptr) return {};
@@ -145,10 +147,23 @@ Rehearsal rehearse(const std::filesystem::path& file, const ReadOptions& options
     const std::lock_guard nobody_reads(exchange_lock());
     id = fork();
   }
-  if (id == 0) read_as_child(file, options, processor_seconds, *board);
+  if (id == 0) read_as_child(read, processor_seconds, *board);
   if (id < 0) return {};
   const int signal = Child(id).wait(stop);
   return {board->finished, signal == SIGXCPU, board->step};
+}
+
+/// Processor seconds for so many bytes that are not packed.
+double allowance(double bytes) { return 1 + 1.5e-5 * bytes; }
+
+rlim_t whole_seconds(double seconds) { return static_cast<rlim_t>(std::ceil(seconds)); }
+
+[[noreturn]] void refuse_unfinished(const std::string& name, const Rehearsal& done,
+                                    rlim_t processor_seconds) {
+  if (!done.overdue)
+    throw BadModel(name + ": cannot be read: Open CASCADE crashes while " + done.step);
+  throw BadModel(name + ": reading it takes more than " + std::to_string(processor_seconds) +
+                 " s of processor time, which nothing sound of its size does");
 }
 
 }  // namespace
@@ -159,22 +174,38 @@ double reading_allowance(const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   const bool packed =
       ending.ends_with('z') || ending.ends_with('Z') || ending == ".zip" || ending == ".ZIP";
-  return error ? 1 : 1 + (packed ? 1.5e-4 : 1.5e-5) * bytes;
+  return error ? 1 : allowance(packed ? 10 * bytes : bytes);
 }
 
 ReadOptions rehearsed(const std::filesystem::path& file, ReadOptions options,
                       const std::function<void()>& stop) {
-  const auto seconds = static_cast<rlim_t>(std::ceil(reading_allowance(file)));
+  const rlim_t seconds = whole_seconds(reading_allowance(file));
   while (true) {
-    const Rehearsal done = rehearse(file, options, seconds, stop);
+    ReadOptions tried = options;
+    const Rehearsal done = rehearse(
+        [&](const Step& step) {
+          tried.step = step;
+          read_model(file, tried);
+        },
+        seconds, stop);
     if (done.finished) return options;
     if (done.step.starts_with(kReadingNames) && std::exchange(options.names, false)) continue;
     if (done.step.starts_with(kMakingDamaged) && std::exchange(options.damaged, false)) continue;
-    if (done.overdue)
-      throw BadModel(file.string() + ": reading it takes more than " + std::to_string(seconds) +
-                     " s of processor time, which no sound file of its size does");
-    throw BadModel(file.string() + ": cannot be read: Open CASCADE crashes while " + done.step);
+    refuse_unfinished(file.string(), done, seconds);
   }
+}
+
+TopoDS_Shape rehearsed_shape_from_bytes(std::string_view bytes, const std::string& name,
+                                        const std::function<void()>& stop) {
+  const rlim_t seconds = whole_seconds(allowance(static_cast<double>(bytes.size())));
+  const Rehearsal done = rehearse(
+      [&](const Step& step) {
+        step("reading the shapes");
+        shape_from_bytes(bytes, name);
+      },
+      seconds, stop);
+  if (!done.finished) refuse_unfinished(name, done, seconds);
+  return shape_from_bytes(bytes, name);
 }
 
 }  // namespace blossom::occt

@@ -36,9 +36,9 @@ def _core_model(shape: Any, name: str) -> _core.Model:
     if isinstance(shape, _core.Model):
         return shape
     if isinstance(shape, (bytes, bytearray, memoryview)):
-        return _core.read_bytes(bytes(shape), name)
+        return _core.read_bytes(bytes(shape), name, False)
     if isinstance(shape, str) and _BREP_TEXT.match(shape):
-        return _core.read_bytes(shape.encode(), name)
+        return _core.read_bytes(shape.encode(), name, False)
     if isinstance(shape, (str, os.PathLike)):
         return core_of_file(_checks.path(shape, name), name, False, _checks.control({}))
     if isinstance(shape, np.ndarray) or hasattr(shape, "__array_interface__"):
@@ -47,7 +47,7 @@ def _core_model(shape: Any, name: str) -> _core.Model:
         return _part_model(shape, name)
     exported = _exported_brep(shape, name)
     if exported is not None:
-        return _core.read_bytes(exported, name)
+        return _core.read_bytes(exported, name, True)
     # Which of its places is meant, only who gives it knows.
     held = "; its Shape is one, without the places of containers" if hasattr(shape, "Shape") else ""
     raise TypeError(f"{name}: {_WANTED}, got {_checks.kind(shape)}{held}")
@@ -131,7 +131,7 @@ def packed(model: _core.Model) -> Packed:
 def unpacked(made: Packed, name: str) -> _core.Model:
     kind, data = made
     if kind == "brep":
-        return _core.read_bytes(data, name)
+        return _core.read_bytes(data, name, True)
     with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
         file = pathlib.Path(folder, "model.step")
         file.write_bytes(data)
@@ -212,7 +212,7 @@ def _part_model(shape: Any, name: str) -> _core.Model:
         model = _core.from_swig(part.__toPythonOCC__(shape), name)
         if model is not None:
             return model
-    return _core.read_bytes(_part_brep(shape), name)
+    return _core.read_bytes(_part_brep(shape), name, True)
 
 
 def _part_brep(shape: Any) -> bytes:

@@ -117,6 +117,13 @@ class Reading(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "crashes while reading the entities"):
                 blossom.read(path)
 
+    def test_no_bytes_end_the_program(self):
+        text = blossom.shape(FLOOR).to_brep().decode()
+        at = re.search(r"\nCurves \d+\n", text).end()
+        # A trimmed curve of a trimmed curve, and so on.
+        with self.assertRaisesRegex(ValueError, "crashes while reading the shapes"):
+            blossom.check(text[:at] + "8 0 1 " * 300_000 + text[at:])
+
     def test_faces_of_damaged_entities_are_those_of_the_program(self):
         text = re.sub(r"(EDGE_CURVE\('[^']*',#\d+,#\d+),#\d+", r"\1,$", BLOCK.read_text(), count=1)
         with tempfile.TemporaryDirectory() as folder:

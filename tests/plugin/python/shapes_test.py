@@ -144,7 +144,7 @@ class FreeCADShapes(unittest.TestCase):
 
     def test_bytes_serve_without_a_bridge(self):
         box = Part.makeBox(1, 2, 3)
-        model = _core.read_bytes(_shapes._part_brep(box), "box")
+        model = _core.read_bytes(_shapes._part_brep(box), "box", True)
         self.assertEqual(model.face_count, 6)
 
     def test_they_are_not_changed(self):
