@@ -26,6 +26,9 @@ using QPatch = QBezierPatchOf<Vec4>;
 using NetValue = std::variant<RationalBezierCurve, RationalBezierPatch, RationalBezierTriangle,
                               RationalMonomialCurve, RationalMonomialPatch, QCurve, QPatch>;
 
+/// Of the range of parameters: what is nearer to a knot, or to an end, is that one.
+inline constexpr double kOneKnot = 1e-9;
+
 /// Where a net comes from; numbers are 1-based, 0 for none.
 struct NetSource {
   std::string file;

@@ -11,10 +11,17 @@
 
 namespace blossom::nets {
 
+/// A face or an edge that does not fill the place that was wanted of it.
+struct ClippedSource {
+  int face = 0, edge = 0;  ///< one of them
+  Interval u, v;           ///< its parameters; of an edge u alone
+};
+
 struct Subdivision {
   std::string input;  ///< its name
   Cut cut;
   std::vector<Net> pieces{};
+  std::vector<ClippedSource> clipped{};
   double seconds = 0;
 };
 

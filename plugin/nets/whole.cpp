@@ -26,8 +26,6 @@
 namespace blossom::nets {
 namespace {
 
-constexpr double kOneKnot = 1e-9;  // of the range: what is nearer to a knot is that knot
-
 struct Knot {
   double at = 0;
   int multiplicity = 0;

@@ -59,10 +59,26 @@ Json report_of(const NetInput& input, const nets::Subdivision& made) {
   return nets::subdivision_report(made, std::move(repairs));
 }
 
+constexpr std::size_t kNamedSources = 3;  // faces and edges; the report has all
+
+std::string clipped_text(const nets::ClippedSource& source) {
+  std::ostringstream text;
+  const bool edge = source.edge > 0;
+  text << (edge ? "edge " : "face ") << (edge ? source.edge : source.face)
+       << " does not fill the place, its parameters are " << (edge ? "" : "u ") << "["
+       << source.u.from << ", " << source.u.to << "]";
+  if (!edge) text << " and v [" << source.v.from << ", " << source.v.to << "]";
+  return text.str();
+}
+
 std::string summary(const NetInput& input, const nets::Subdivision& made) {
   std::ostringstream text;
   text << input.name << ": " << counted(made.pieces.size(), "piece") << " of "
        << counted(input.nets.size(), "net") << ", " << seconds_text(made.seconds) << "\n";
+  for (std::size_t i = 0; i < std::min(made.clipped.size(), kNamedSources); ++i)
+    text << "  " << clipped_text(made.clipped[i]) << "\n";
+  if (made.clipped.size() > kNamedSources)
+    text << "  " << made.clipped.size() - kNamedSources << " more do not fill it\n";
   return text.str();
 }
 

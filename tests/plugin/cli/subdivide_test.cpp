@@ -260,6 +260,25 @@ TEST_F(Subdivide, ClipsTheRectangleToTheSpansOfAFace) {
   EXPECT_EQ(made[1]["points"][1][1], Json({2, 1.25, 0}));
 }
 
+TEST_F(Subdivide, TellsOfFacesAndEdgesThatDoNotFillThePlace) {
+  write({four_spans()}, folder / "spans.brep");
+  const Finished beyond = blossom({"subdivide", path("spans.brep"), "--rectangle", "0.5", "5", "1",
+                                   "1.25", "--json", path("report.json")});
+  EXPECT_NE(
+      beyond.out.find("\n  face 1 does not fill the place, its parameters are u [0, 2] and v ["),
+      std::string::npos)
+      << beyond.out;
+  EXPECT_EQ(Json::parse(testing::text_of(path("report.json")))["clipped"][0]["u"], Json({0, 2}));
+  const Finished within =
+      blossom({"subdivide", path("spans.brep"), "--rectangle", "0.5", "2", "1", "1.25"});
+  EXPECT_EQ(within.out.find("does not fill"), std::string::npos) << within.out;
+  const Finished edge =
+      blossom({"subdivide", path("spans.brep") + "#edge:1", "--interval", "-9", "99"});
+  EXPECT_NE(edge.out.find("\n  edge 1 does not fill the place, its parameters are ["),
+            std::string::npos)
+      << edge.out;
+}
+
 TEST_F(Subdivide, TakesAnglesOfACylinder) {
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Cylinder(gp_Ax3(), 2), 0, 1.5, 0, 1).Face();
   write({face}, folder / "cylinder.brep");
