@@ -323,6 +323,11 @@ class ClashSearch {
     common.volume = volume_of_solid(parts_[inner]);
     for (const Body& body : bodies(inner).all())
       if (body.is_solid()) common.solids.push_back(TopoDS::Solid(body.shape));
+    if (pair.relation == Relation::Equal) {  // no part of either boundary lies inside of the other
+      common.upper = tolerance_;
+      common.deepest = pair.near_a.point;
+      return;
+    }
     deepen(depth_of(faces_of_part(parts_[inner]), bodies(outer).boundary(), tolerance_,
                     common.lower, stop()),
            common);

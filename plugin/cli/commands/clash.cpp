@@ -67,10 +67,10 @@ std::string details(const ClashRow& row, const ClashAnswer& answer) {
     told.push_back(displayed_name(answer, row.a) + " is inside");
   if (clash.relation == occt::Relation::BInsideA)
     told.push_back(displayed_name(answer, row.b) + " is inside");
-  if (clash.common)
+  if (clash.common) told.push_back("volume " + number(clash.common->volume) + " mm³");
+  if (clash.common && clash.relation != occt::Relation::Equal)
     told.push_back(
-        "volume " + number(clash.common->volume) + " mm³, depth " +
-        bounds(clash.common->lower, clash.common->upper) + ", deepest at " +
+        "depth " + bounds(clash.common->lower, clash.common->upper) + ", deepest at " +
         vector_text({rounded(clash.common->deepest[0]), rounded(clash.common->deepest[1]),
                      rounded(clash.common->deepest[2])}));
   if (!clash.contacts.empty()) told.push_back(contact_text(clash));

@@ -240,6 +240,20 @@ TEST_F(ClashCommand, ListsWhatIsDeepInsideOfAPartWhateverTheClearance) {
                                                          << row;
 }
 
+// As most parts of an assembly beside its next edition are.
+TEST_F(ClashCommand, EqualPartsReachIntoEachOtherByNoMoreThanTheTolerance) {
+  const std::string a =
+      file_of({{"rod", rod(0, 0, 0, 3, 9)}, {"box", box(9, 0, 0, 5, 4, 3)}}, "old.step");
+  const std::string b =
+      file_of({{"rod", rod(0, 0, 0, 3, 9)}, {"box", box(9, 0, 0, 5, 4, 3)}}, "new.step");
+  const json report = report_of({"clash", a, b});
+  EXPECT_EQ(report["counts"]["equal"], 2);
+  for (const json& pair : report["pairs"])
+    if (pair["relation"] == "equal") EXPECT_LE(pair["common"]["depth"][1], 1e-7);
+  const Finished run = blossom({"clash", a, b});
+  EXPECT_EQ(run.out.find("deepest"), std::string::npos) << run.out;
+}
+
 TEST_F(ClashCommand, ComparesPartsOfTwoModelsWithEachOther) {
   const std::string a =
       file_of({{"one", box(0, 0, 0, 1, 1, 1)}, {"two", box(0.5, 0, 0, 1, 1, 1)}}, "a.step");

@@ -144,6 +144,7 @@ def _told(pair, parts):
         words.append(f"{parts[pair[pair['inner']]]['name']} is inside")
     if pair.get("common"):
         words.append(f"volume {pair['common']['volume']:.6g} mm³")
+    if pair.get("common") and pair["relation"] != "equal":
         words.append(f"depth {pair['common']['depth'][1]:.6g} mm at most")
     if pair["relation"] == "touches" and pair.get("contacts"):
         words.append("in a " + pair["contacts"][0]["kind"])
