@@ -103,8 +103,8 @@ struct ChartImage {
 
 /// Exact where Open CASCADE knows a line, a conic or a spline that is the image, else fitted.
 /// near      parameters of the middle, as far as periods and seams leave a choice
-/// throws    Failure if the curve is not on the surface within the tolerance, or goes through a
-/// pole
+/// throws    Failure if no chart comes as near to the curve's feet as the tolerance, or it goes
+/// through a pole; whether the curve is on the surface the deviation says
 ChartImage image_of(const Handle(Geom_Curve) & curve, const Interval& range,
                     const SurfaceProjector& feet, const std::optional<Vec2>& near,
                     double tolerance);

@@ -11,15 +11,18 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -375,6 +378,40 @@ TEST(FilletEnds, InTwoPiecesOfOnePlaneGrowsOneOfThem) {
       EXPECT_NEAR(made.solids.front().volume - made.volume_before, 10 * area, 1e-9) << radius;
       EXPECT_EQ(made.notes.size(), radius > 2 ? 1U : 0U);
     }
+}
+
+// An angle whose upper edges are chamfered. The inner edge ends between two chamfers that meet at
+// their own inner edge, which goes on up to the strip as they do.
+TopoDS_Shape chamfered_angle() {
+  const TopoDS_Shape angle =
+      prism({{0, 0, 0}, {30, 0, 0}, {30, 10, 0}, {15, 10, 0}, {15, 20, 0}, {0, 20, 0}}, {0, 0, 10});
+  BRepFilletAPI_MakeChamfer chamfered(angle);
+  for (TopExp_Explorer it(angle, TopAbs_EDGE); it.More(); it.Next()) {
+    Bnd_Box box;
+    BRepBndLib::Add(it.Current(), box);
+    if (box.CornerMin().Z() > 9) chamfered.Add(2, TopoDS::Edge(it.Current()));
+  }
+  return chamfered.Shape();
+}
+
+TEST(FilletEnds, BetweenTwoFacesThatGrowSoDoesTheirEdge) {
+  const TopoDS_Shape angle = chamfered_angle();
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), gp_Pnt(35, 25, 12)).Shape();
+  const TopoDS_Shape inside_out = BRepAlgoAPI_Cut(block, angle).Shape();
+  const auto is_inner = [](const Vec3& at) {
+    return std::abs(at[0] - 15) < 1e-6 && std::abs(at[1] - 10) < 1e-6;
+  };
+  for (const double r : {0.5, 1.0, 3.0}) {
+    // At a distance b from the nearer side the chamfer is 8 - b high.
+    const double more = 2 * integral(0, r * (1 - std::sqrt(0.5)), [r](double b) {
+                          return (8 - b) * (r - b - std::sqrt(r * r - (r - b) * (r - b)));
+                        });
+    expect_change(fillet(angle, edges_where(angle, EdgeKind::Concave, is_inner), {.radius = r}),
+                  more, 1e-6);
+    expect_change(
+        fillet(inside_out, edges_where(inside_out, EdgeKind::Convex, is_inner), {.radius = r}),
+        -more, 1e-6);
+  }
 }
 
 // What strips of radius r add round the foot of three upright sides and a slope of 15 over 20, and

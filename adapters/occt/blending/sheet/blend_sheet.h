@@ -143,8 +143,10 @@ class BlendSheet {
     bool is_contact = false;
   };
   std::optional<Vec3> way_over(const RolledStrip& strip, int face, const StripPlace& from) const;
-  int cross_face(const DirectedEdge& half, const Interval& part, int face, StripPlace& from,
+  int cross_face(const Ring& ring, const Interval& part, int face, StripPlace& from,
                  TopoDS_Vertex& start);
+  int cross_grown(const Ring& ring, const Interval& part, int face, StripPlace& from,
+                  TopoDS_Vertex& start);
   void join(const Joint& joint);
   TopoDS_Vertex joint_vertex(const PlacedStrip& of, std::size_t side, double t,
                              const std::optional<ContactCrossing>& over);

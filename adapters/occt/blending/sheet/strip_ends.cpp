@@ -298,8 +298,9 @@ std::optional<Vec3> BlendSheet::way_over(const RolledStrip& strip, int face,
 //
 // Of the edges ahead it is the first one: from the strip's left to its right, or, where the strip
 // goes along itself or back over a face, in the way that it takes there.
-int BlendSheet::cross_face(const DirectedEdge& half, const Interval& part, int face,
-                           StripPlace& from, TopoDS_Vertex& start) {
+int BlendSheet::cross_face(const Ring& ring, const Interval& part, int face, StripPlace& from,
+                           TopoDS_Vertex& start) {
+  const DirectedEdge half = ring.front().half;
   const RolledStrip& strip = strip_of(half).strip;
   const double w_left = strip.contacts[left_side(half)].w;
   const double span = strip.contacts[right_side(half)].w - w_left;
@@ -321,10 +322,7 @@ int BlendSheet::cross_face(const DirectedEdge& half, const Interval& part, int f
       over = &use;
     }
   }
-  if (!best)
-    refuse(half, FilletFault::End,
-           "no edge of face " + std::to_string(face) +
-               " goes through the strip at its end, over which it would come to its other side");
+  if (!best) return cross_grown(ring, part, face, from, start);
   const TopoDS_Edge edge = body_.edge(over->edge);
   const int split = splits_.add(edge, best->edge_parameter, body_.face(face));
   // What stays of the face is to the right of the way out of it, and so is what stays of the edge:
@@ -335,6 +333,40 @@ int BlendSheet::cross_face(const DirectedEdge& half, const Interval& part, int f
   start = to;
   from = {*best, over->edge, false};
   return body_.use(over->edge, !over->forward).face;
+}
+
+// Where the faces on both sides of an edge grow up to the strip, so does the edge, past the vertex:
+// over it the strip comes to the face behind.
+int BlendSheet::cross_grown(const Ring& ring, const Interval& part, int face, StripPlace& from,
+                            TopoDS_Vertex& start) {
+  const DirectedEdge half = ring.front().half;
+  const auto sector = std::ranges::find(ring, face, &VertexSector::face);
+  const auto refuse_growing = [&] {
+    refuse(half, FilletFault::End,
+           "no edge of face " + std::to_string(face) +
+               " goes through the strip at its end, over which it would come to its other side");
+  };
+  if (sector == ring.end() || sector + 1 == ring.end()) refuse_growing();
+  const VertexSector& next = *(sector + 1);
+  const TopoDS_Vertex corner = body_.vertex(half);
+  const auto met = grown_through(strip_of(half).strip, part, body_.face(face),
+                                 body_.face(next.face), point_of(corner));
+  if (!met) refuse_growing();
+  const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(corner));
+  const auto down = wall_curve_between(body_.face(next.face), body_.face(face), met->point,
+                                       point_of(corner), reach);
+  if (!down) refuse_growing();
+  const TopoDS_Vertex to = new_vertex(met->point);
+  const TopoDS_Edge border = wall_border(*down, to, corner, true, face);
+  add_chart(TopoDS::Edge(border.Oriented(TopAbs_FORWARD)),
+            chart_near_face(down->on_strip, at(down->range, 0.5), body_, next.face),
+            body_.face(next.face));
+  added_[next.face].push_back(border);
+  border_.vertices.push_back(corner);
+  cap_face(half, part, face, start, to);
+  start = to;
+  from = {*met, next.half.edge, false};
+  return next.face;
 }
 
 // Behind a strip of a concave edge faces grow at convex edges. Where the border of one, up to where
@@ -362,7 +394,9 @@ bool BlendSheet::takes_over(const Ring& ring, int taking, int giving, int edge,
   Handle(Geom2d_Curve) on_taking;
   try {
     const SurfaceProjector feet(body_.face(taking), Precision::Confusion());
-    on_taking = image_of(curve, piece, feet, std::nullopt, reach).chart;
+    const ChartImage image = image_of(curve, piece, feet, std::nullopt, reach);
+    if (image.deviation > reach) return false;
+    on_taking = image.chart;
   } catch (const LimitFailure&) {
     throw;
   } catch (const Failure&) {
@@ -416,7 +450,7 @@ void BlendSheet::cap(const Ring& ring) {
   StripPlace place{{0, left.t, w_left, point_of(from)}, entered, true};
   for (int count = 0; face != last; ++count) {
     if (count == kMaxFacesInARow) refuse(half, FilletFault::End, "too many faces are at its end");
-    face = cross_face(half, part, face, place, from);
+    face = cross_face(ring, part, face, place, from);
   }
   entered = place.edge;
   const auto is_smooth = [&](int edge) {

@@ -29,6 +29,7 @@
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "core/curve_surface_intersection.h"
+#include "core/math/linear_solve.h"
 #include "core/subdivision/extended_surface.h"
 #include "core/surface_intersection.h"
 
@@ -50,6 +51,10 @@ constexpr double kFootRoom = 0.25;  // of the feet's box: how far beyond it is s
 // Pairs of cells. One curve between two known places takes some thousands; surfaces that touch
 // along each other take all there are, and have no curve to be found.
 constexpr long kMaxPairs = 100'000;
+// Newton's steps to a common point of three surfaces, the last ones of which double its digits; and
+// of Open CASCADE's confusion, how near it has to come to all of them.
+constexpr int kGrownSteps = 20;
+constexpr double kGrownAt = 0.1;
 
 Interval widened(const Interval& of, double room) { return {of.from - room, of.to + room}; }
 
@@ -304,6 +309,42 @@ std::optional<double> contact_through(const RolledStrip& of, std::size_t side, d
        intersect(bezier_spans(edge), face_surface(points, face)).points)
     if (!best || std::abs(each.t - near) < std::abs(*best - near)) best = each.t;
   return best;
+}
+
+// By Newton's method on the tangent planes of the three surfaces at the feet of the last place. For
+// planes and the cylinder of a strip it comes to the nearest place from its side and never past it.
+std::optional<EdgeThrough> grown_through(const RolledStrip& strip, const Interval& part,
+                                         const TopoDS_Face& a, const TopoDS_Face& b,
+                                         const Vec3& vertex) {
+  const std::array faces{strip.bare_face(), a, b};
+  const std::array feet{SurfaceProjector(faces[0], Precision::Confusion()),
+                        SurfaceProjector(faces[1], Precision::Confusion()),
+                        SurfaceProjector(faces[2], Precision::Confusion())};
+  std::array<std::optional<Vec2>, 3> near;
+  near[0] = strip.chart(at(part, 0.5), 0.5 * (strip.contacts[0].w + strip.contacts[1].w));
+  Vec3 place = vertex;
+  for (int step = 0; step < kGrownSteps; ++step) {
+    SquareMatrix<3> normals;
+    Vec3 off;
+    for (std::size_t i = 0; i < 3; ++i) {
+      near[i] = feet[i].foot(place, near[i]);
+      const SurfaceJet frame = frame_at(feet[i].surface(), *near[i]);
+      const Vec3 normal = unit(cross(frame.du, frame.dv));
+      normals[i] = {normal[0], normal[1], normal[2]};
+      off[static_cast<int>(i)] = dot(normal, frame.point - place);
+    }
+    const double error = norm(off);
+    if (step > 0 && error <= kGrownAt * Precision::Confusion()) {
+      const Vec2 tw = strip.along_u ? *near[0] : Vec2{(*near[0])[1], (*near[0])[0]};
+      const double share =
+          (tw[1] - strip.contacts[0].w) / (strip.contacts[1].w - strip.contacts[0].w);
+      if (share <= 0 || share >= 1) return std::nullopt;
+      return EdgeThrough{0, tw[0], tw[1], place};
+    }
+    if (!solve(normals, off)) return std::nullopt;
+    place += off;
+  }
+  return std::nullopt;
 }
 
 namespace {

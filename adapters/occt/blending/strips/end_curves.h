@@ -80,6 +80,13 @@ std::optional<double> contact_through(const RolledStrip& of, std::size_t side, d
 std::optional<double> contact_through(const RolledStrip& of, std::size_t side, double near,
                                       const TopoDS_Face& face, const Interval& part);
 
+/// Where the edge of two faces, if it went on past a vertex of it, would go through a strip: the
+/// nearest place in which the strip and the surfaces of both faces meet. Nothing if it is not
+/// between the contacts.
+std::optional<EdgeThrough> grown_through(const RolledStrip& strip, const Interval& part,
+                                         const TopoDS_Face& a, const TopoDS_Face& b,
+                                         const Vec3& vertex);
+
 /// The piece of the curve in which the surfaces of two faces meet; `on_strip` is in the parameters
 /// of the wall.
 std::optional<EndCurve> wall_curve_between(const TopoDS_Face& wall, const TopoDS_Face& face,
