@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -18,11 +19,14 @@
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
+#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeHalfSpace.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -241,8 +245,8 @@ TEST(FilletCorner, LeavesOneOfFourEdgesAsItIs) {
   EXPECT_LT(made.solids.front().volume, made.volume_before);
 }
 
-// Two edges without fillets lie between them on one side: no mitre, and no plane across each.
-TEST(FilletCorner, OfTwoNeighboursAmongFourEdgesIsFilled) {
+// Two edges without fillets lie between them on one side: no plane across each.
+TEST(FilletCorner, OfTwoNeighboursAmongFourEdgesHasNoPlaneAcross) {
   const TopoDS_Shape shape = pyramid({1, 2, 9});
   const auto two = edges_where(
       shape, [](const EdgeFacts& each) { return each.middle[2] > 1 && each.middle[1] < 0; });
@@ -251,6 +255,54 @@ TEST(FilletCorner, OfTwoNeighboursAmongFourEdgesIsFilled) {
   expect_sound(made);
   EXPECT_TRUE(made.notes.empty());
   EXPECT_LT(made.solids.front().volume, made.volume_before);
+}
+
+// An angle of two bars with chamfers along its upper edges.
+TopoDS_Shape chamfered_angle() {
+  BRepBuilderAPI_MakePolygon outline;
+  for (const gp_Pnt& each : {gp_Pnt(0, 0, 0), gp_Pnt(30, 0, 0), gp_Pnt(30, 10, 0),
+                             gp_Pnt(15, 10, 0), gp_Pnt(15, 20, 0), gp_Pnt(0, 20, 0)})
+    outline.Add(each);
+  outline.Close();
+  const TopoDS_Shape angle =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 10))
+          .Shape();
+  BRepFilletAPI_MakeChamfer chamfer(angle);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(angle, TopAbs_EDGE, edges);
+  for (const EdgeFacts& each : edge_facts(angle))
+    if (each.middle[2] > 9.9) chamfer.Add(2, TopoDS::Edge(edges(each.number)));
+  return chamfer.Shape();
+}
+
+// What is cut off along both is what is cut off along the one or the other.
+TEST(FilletCorner, OfTwoNeighboursAmongFourEdgesIsAMitre) {
+  const TopoDS_Shape shape = chamfered_angle();
+  const auto two = edges_where(shape, [](const EdgeFacts& each) {
+    return distance(each.middle, Vec3{0, 10, 8}) < 1e-6 ||
+           distance(each.middle, Vec3{1, 1, 9}) < 1e-6;
+  });
+  ASSERT_EQ(two.size(), 2U);
+  const FilletResult made = fillet(shape, two, {.radius = 0.4});
+  expect_sound(made);
+  EXPECT_TRUE(made.notes.empty());
+  const FilletResult one = fillet(shape, {two[0]}, {.radius = 0.4}),
+                     other = fillet(shape, {two[1]}, {.radius = 0.4});
+  ASSERT_EQ(one.solids.size() + other.solids.size(), 2U);
+  GProp_GProps common;
+  BRepGProp::VolumeProperties(
+      BRepAlgoAPI_Common(one.solids.front().solid, other.solids.front().solid).Shape(), common);
+  EXPECT_NEAR(made.solids.front().volume, common.Mass(), 1e-6);
+}
+
+// Concave edges come first where two of either kind alternate; the chamfered rim goes on over their
+// mitres.
+TEST(FilletCorner, OfTwoConvexAndTwoConcaveEdgesThatAlternateIsRolledRound) {
+  const TopoDS_Shape shape = chamfered_angle();
+  const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = 0.5});
+  expect_sound(made);
+  EXPECT_TRUE(made.notes.empty());
+  EXPECT_TRUE(sharp_edges(made.solids.front().solid).empty());
 }
 
 // At the vertex in the middle of the lower box's top edge three edges are convex and one is

@@ -29,8 +29,9 @@ namespace {
 
 constexpr int kSecantSteps = 60;
 constexpr int kMitreSamples = 8;
-constexpr int kCapSteps = 256;  // the middle is within about 1 / 256 then
-constexpr int kAxes = 24;       // directions in half a turn that a sphere's axis is chosen from
+constexpr std::size_t kMitreEdges = 2;  // on one side between strips in a mitre, with a face
+constexpr int kCapSteps = 256;          // the middle is within about 1 / 256 then
+constexpr int kAxes = 24;  // directions in half a turn that a sphere's axis is chosen from
 
 // The distance of a point from a face's surface, positive outside of the material.
 double height_over(const TopoDS_Face& face, const Vec3& point) {
@@ -152,38 +153,39 @@ PathEdge BlendSheet::mitre_edge(const DirectedEdge& a, const DirectedEdge& b,
   return made(*curve, curve->on_face);
 }
 
-// Where two strips that run into each other leave the edge, or the face, between them. The wider
-// one comes further along the edge. The contact of the other one ends in it: before the edge where
-// that is of the strips' own kind, else beyond it, over what the wider strip lays bare, and its
-// face grows up to there.
-BlendSheet::MitreSide BlendSheet::mitre_side(const MitreContact& a, const MitreContact& b,
-                                             const DirectedEdge* between) {
+// Where two strips that run into each other do so in a face that both lie on.
+BlendSheet::MitreSide BlendSheet::mitre_in_face(const MitreContact& a, const MitreContact& b) {
   const RolledStrip &strip = strip_of(a.half).strip, &other = strip_of(b.half).strip;
-  StripEnd &end = end_of(a.half), &other_end = end_of(b.half);
-  if (between == nullptr) {
-    const auto crossing =
-        contacts_cross(body_, strip, a.side, end_t(a.half), other, b.side, end_t(b.half));
-    if (!crossing)
-      refuse(a.half, FilletFault::Corner,
-             "its contact does not cross that of edge " + std::to_string(b.half.edge) +
-                 " on face " + std::to_string(strip.contacts[a.side].face));
-    end.t[a.side] = (*crossing)[0];
-    other_end.t[b.side] = (*crossing)[1];
-    const TopoDS_Vertex start =
-        new_vertex(vec(strip.contacts[a.side].curve->Value((*crossing)[0]).XYZ()));
-    end.vertices[a.side] = other_end.vertices[b.side] = start;
-    return {start, start, false, 0};
-  }
-  const auto a_meets = meeting_with(body_, strip, a.side, *a.use, end_t(a.half));
-  const auto b_meets = meeting_with(body_, other, b.side, *b.use, end_t(b.half));
-  if (!a_meets && !b_meets) refuse_miss(a.half, a.side, *a.use, *between);
+  const auto crossing =
+      contacts_cross(body_, strip, a.side, end_t(a.half), other, b.side, end_t(b.half));
+  if (!crossing)
+    refuse(a.half, FilletFault::Corner,
+           "its contact does not cross that of edge " + std::to_string(b.half.edge) + " on face " +
+               std::to_string(strip.contacts[a.side].face));
+  end_of(a.half).t[a.side] = (*crossing)[0];
+  end_of(b.half).t[b.side] = (*crossing)[1];
+  const TopoDS_Vertex start =
+      new_vertex(vec(strip.contacts[a.side].curve->Value((*crossing)[0]).XYZ()));
+  end_of(a.half).vertices[a.side] = end_of(b.half).vertices[b.side] = start;
+  return {start, {start, start}};
+}
+
+// Where two strips that run into each other leave the edge between them. The wider one comes
+// further along the edge. The contact of the other one ends in it: before the edge where that is of
+// the strips' own kind, else beyond it, over what the wider strip lays bare, and its face grows up
+// to there.
+BlendSheet::MitreSide BlendSheet::mitre_at_edge(const MitreContact& a, const MitreContact& b,
+                                                const DirectedEdge& between) {
+  const auto a_meets = meeting_with(body_, strip_of(a.half).strip, a.side, *a.use, end_t(a.half));
+  const auto b_meets = meeting_with(body_, strip_of(b.half).strip, b.side, *b.use, end_t(b.half));
+  if (!a_meets && !b_meets) refuse_miss(a.half, a.side, *a.use, between);
   const auto away = [&](const ContactMeeting& at) {
-    return between->at_start ? at.edge_parameter : -at.edge_parameter;
+    return between.at_start ? at.edge_parameter : -at.edge_parameter;
   };
   const bool a_wider = !b_meets || (a_meets && away(*a_meets) >= away(*b_meets));
   const ContactMeeting wide = a_wider ? *a_meets : *b_meets;
   const MitreContact &wider = a_wider ? a : b, &narrow = a_wider ? b : a;
-  const TopoDS_Vertex foot = cut_edge(*between, wide.edge_parameter, body_.face(wider.use->face));
+  const TopoDS_Vertex foot = cut_edge(between, wide.edge_parameter, body_.face(wider.use->face));
   end_of(wider.half).t[wider.side] = wide.t;
   const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(foot));
   const RolledStrip& thin = strip_of(narrow.half).strip;
@@ -193,7 +195,7 @@ BlendSheet::MitreSide BlendSheet::mitre_side(const MitreContact& a, const MitreC
   TopoDS_Vertex joined = foot;
   if (!meets || distance(place(), point_of(foot)) > reach) {
     double angle = 0;
-    const EdgeKind kind = edge_kind(body_, between->edge, angle);
+    const EdgeKind kind = edge_kind(body_, between.edge, angle);
     const bool grows = kind == (thin.concave ? EdgeKind::Convex : EdgeKind::Concave);
     const auto through = contact_through(thin, narrow.side, t, strip_of(wider.half).strip,
                                          part_near(wider.half, end_of(wider.half).t));
@@ -201,20 +203,64 @@ BlendSheet::MitreSide BlendSheet::mitre_side(const MitreContact& a, const MitreC
     if (!through || (grows && (!meets || outwards * (*through - t) <= 0)))
       refuse(narrow.half, FilletFault::Corner,
              "its contact does not come to the strip of edge " + std::to_string(wider.half.edge));
-    if (grows) end_of(narrow.half).over[narrow.side] = between->edge;
+    if (grows) end_of(narrow.half).over[narrow.side] = between.edge;
     t = *through;
     joined = new_vertex(place());
   }
   end_of(narrow.half).t[narrow.side] = t;
   end_of(wider.half).vertices[wider.side] = foot;
   end_of(narrow.half).vertices[narrow.side] = joined;
-  return {joined, foot, a_wider, narrow.use->face};
+  const int face = narrow.use->face;
+  return {joined, {a_wider ? foot : joined, a_wider ? joined : foot}, {face, face}};
 }
 
-// Two of one kind with at most one edge between them on either side.
+// Where two strips that run into each other do so over a face between them, to which each comes
+// over an edge of its own.
+BlendSheet::MitreSide BlendSheet::mitre_over_face(const MitreContact& a, const MitreContact& b,
+                                                  const DirectedEdge& beside_a,
+                                                  const DirectedEdge& beside_b, int face) {
+  const auto leave = [&](const MitreContact& of, const DirectedEdge& over) {
+    const auto meets =
+        meeting_with(body_, strip_of(of.half).strip, of.side, *of.use, end_t(of.half));
+    if (!meets) refuse_miss(of.half, of.side, *of.use, over);
+    const TopoDS_Vertex foot = cut_edge(over, meets->edge_parameter, body_.face(of.use->face));
+    end_of(of.half).t[of.side] = meets->t;
+    end_of(of.half).vertices[of.side] = foot;
+    return foot;
+  };
+  const TopoDS_Vertex from_a = leave(a, beside_a), from_b = leave(b, beside_b);
+  const auto met = mitre_through(strip_of(a.half).strip, part_near(a.half, end_of(a.half).t),
+                                 strip_of(b.half).strip, part_near(b.half, end_of(b.half).t),
+                                 body_.face(face), point_of(body_.vertex(a.half)));
+  if (!met)
+    refuse(a.half, FilletFault::Corner,
+           "its strip and that of edge " + std::to_string(b.half.edge) + " do not meet over face " +
+               std::to_string(face));
+  return {new_vertex(met->point), {from_a, from_b}, {face, face}};
+}
+
+// By how many edges are between the strips on that side.
+BlendSheet::MitreSide BlendSheet::mitre_side(const Ring& ring, std::size_t other, bool on_left) {
+  const DirectedEdge a = ring[0].half, b = ring[other].half;
+  const std::size_t last = ring.size() - 1, between = on_left ? other - 1 : last - other;
+  const auto leaving = [&](std::size_t sector) {
+    return &body_.uses(ring[sector].face)[static_cast<std::size_t>(ring[sector].use)];
+  };
+  const MitreContact of_a{a, on_left ? left_side(a) : right_side(a),
+                          on_left ? &arriving(ring, 0) : leaving(last)};
+  const MitreContact of_b{b, on_left ? right_side(b) : left_side(b),
+                          on_left ? leaving(other - 1) : &arriving(ring, other)};
+  const std::size_t beside_a = on_left ? 1 : last, beside_b = on_left ? other - 1 : other + 1;
+  if (between == 0) return mitre_in_face(of_a, of_b);
+  if (between == 1) return mitre_at_edge(of_a, of_b, ring[beside_a].half);
+  return mitre_over_face(of_a, of_b, ring[beside_a].half, ring[beside_b].half,
+                         ring[std::min(beside_a, beside_b)].face);
+}
+
+// Two of one kind with at most two edges, and one face, between them on either side.
 bool BlendSheet::can_be_mitred(const Ring& ring, std::size_t other) {
   return strip_of(ring[0].half).strip.concave == strip_of(ring[other].half).strip.concave &&
-         other <= 2 && ring.size() - other <= 2;
+         other <= kMitreEdges + 1 && ring.size() - other <= kMitreEdges + 1;
 }
 
 // Two strips run into each other in a curve, from one of their sides to the other. Where an edge is
@@ -222,7 +268,6 @@ bool BlendSheet::can_be_mitred(const Ring& ring, std::size_t other) {
 // up to the other's contact.
 void BlendSheet::mitre(const Ring& ring, std::size_t other) {
   const DirectedEdge a = ring[0].half, b = ring[other].half;
-  const std::size_t last = ring.size() - 1;
   if (!can_be_mitred(ring, other))
     refuse(a, FilletFault::Corner,
            "it meets edge " + std::to_string(b.edge) + " at a vertex of " +
@@ -230,24 +275,16 @@ void BlendSheet::mitre(const Ring& ring, std::size_t other) {
                " edges, where two blends and the faces beside them cannot be joined yet");
   end_of(a).t = {end_t(a), end_t(a)};
   end_of(b).t = {end_t(b), end_t(b)};
-  const auto leaving = [&](std::size_t sector) {
-    return &body_.uses(ring[sector].face)[static_cast<std::size_t>(ring[sector].use)];
-  };
-  const MitreSide left =
-      other == 1 ? mitre_side({a, left_side(a), nullptr}, {b, right_side(b), nullptr}, nullptr)
-                 : mitre_side({a, left_side(a), &arriving(ring, 0)}, {b, right_side(b), leaving(1)},
-                              &ring[1].half);
-  const MitreSide right =
-      other == last ? mitre_side({a, right_side(a), nullptr}, {b, left_side(b), nullptr}, nullptr)
-                    : mitre_side({a, right_side(a), leaving(last)},
-                                 {b, left_side(b), &arriving(ring, other)}, &ring[last].half);
+  const MitreSide left = mitre_side(ring, other, true), right = mitre_side(ring, other, false);
   const double reach = kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(left.joined),
                                               BRep_Tool::Tolerance(right.joined)});
   const PathEdge seam = mitre_edge(a, b, left.joined, right.joined, reach);
   const auto over = [&](const DirectedEdge& half, const MitreSide& side, bool inwards) {
-    if (side.joined.IsSame(side.foot) || side.a_wider != (half == a)) return;
-    cap_face(half, part_near(half, end_of(half).t), side.face, inwards ? side.foot : side.joined,
-             inwards ? side.joined : side.foot);
+    const std::size_t of = half == a ? 0 : 1;
+    const TopoDS_Vertex& foot = side.feet[of];
+    if (side.joined.IsSame(foot)) return;
+    cap_face(half, part_near(half, end_of(half).t), side.over[of], inwards ? foot : side.joined,
+             inwards ? side.joined : foot);
   };
   // From left to right of who walks away from the vertex.
   over(a, left, true);

@@ -156,14 +156,19 @@ class BlendSheet {
     std::size_t side = 0;
     const EdgeUseInFace* use = nullptr;
   };
-  /// One side of a mitre: where the strips meet, and the place on the edge that the wider one cuts,
-  /// from which it goes over the other's face.
+  /// One side of a mitre: where the strips meet, and where each of them leaves its own face, from
+  /// where it goes on to there over a face between them, if that is elsewhere.
   struct MitreSide {
-    TopoDS_Vertex joined, foot;
-    bool a_wider = false;
-    int face = 0;
+    TopoDS_Vertex joined;
+    std::array<TopoDS_Vertex, 2> feet;  // of the first strip and the second one
+    std::array<int, 2> over{};
   };
-  MitreSide mitre_side(const MitreContact& a, const MitreContact& b, const DirectedEdge* between);
+  MitreSide mitre_in_face(const MitreContact& a, const MitreContact& b);
+  MitreSide mitre_at_edge(const MitreContact& a, const MitreContact& b,
+                          const DirectedEdge& between);
+  MitreSide mitre_over_face(const MitreContact& a, const MitreContact& b,
+                            const DirectedEdge& beside_a, const DirectedEdge& beside_b, int face);
+  MitreSide mitre_side(const Ring& ring, std::size_t other, bool on_left);
   bool can_be_mitred(const Ring& ring, std::size_t other);
   void mitre(const Ring& ring, std::size_t other);
   PathEdge mitre_edge(const DirectedEdge& a, const DirectedEdge& b, const TopoDS_Vertex& from,

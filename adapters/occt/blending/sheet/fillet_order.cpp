@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <set>
 #include <utility>
+
+#include <BRep_Tool.hxx>
 
 #include "adapters/occt/blending/blend_edges.h"
 
@@ -16,6 +19,7 @@ namespace {
 // Edges at a vertex: where there are more, what the first fillet leaves of the vertex is no
 // simpler, and all are joined in one corner.
 constexpr std::size_t kOrdered = 3;
+constexpr std::size_t kAlternating = 4;  // but for two and two that alternate
 
 // Groups of edges as the classes of a partition, and which come before which.
 class Order {
@@ -62,6 +66,31 @@ bool is_of_kind(const BodyEdges& body, const FilletEdges& edges, int edge, bool 
   return edge_kind(body, edge, angle) == (concave ? EdgeKind::Concave : EdgeKind::Convex);
 }
 
+// Whether a sector at a vertex turns by less than half a circle, so that contacts of its edges come
+// to the other one.
+bool is_narrow(const BodyEdges& body, const VertexSector& sector, const DirectedEdge& next) {
+  double first = 0, last = 0;
+  BRep_Tool::Range(body.edge(sector.half.edge), first, last);
+  const EdgeUseInFace& use = body.uses(sector.face)[static_cast<std::size_t>(sector.use)];
+  const Vec3 inwards = body.corner(use, sector.half.at_start ? first : last).inwards;
+  return dot(direction_at(body, next), inwards) > std::sin(kSmoothJoint);
+}
+
+// Whether two edges of either kind alternate round a vertex, all with fillets that come to each
+// other. Once those of one kind are made the two others go on smoothly in each other, along the
+// ends of these.
+bool alternates(const BodyEdges& body, const FilletEdges& edges,
+                const std::vector<VertexSector>& ring) {
+  if (ring.size() != kAlternating) return false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const DirectedEdge& next = ring[(i + 1) % ring.size()].half;
+    const auto own = edges.find(ring[i].half.edge), other = edges.find(next.edge);
+    if (own == edges.end() || other == edges.end() || own->second == other->second) return false;
+    if (!is_narrow(body, ring[i], next)) return false;
+  }
+  return true;
+}
+
 Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOptions& options) {
   for (const auto& [edge, concave] : edges) places_.emplace(edge, static_cast<int>(places_.size()));
   classes_.resize(places_.size());
@@ -88,6 +117,12 @@ Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOption
         continue;
       }
       for (const int each : alike) unite(edge, each);
+      if (alternates(body, edges, ring)) {
+        for (const int each : others)
+          if (concave)
+            for (Rules* of : {&before_, &before_asked_}) of->emplace_back(edge, each);
+        continue;
+      }
       if (ring.size() > kOrdered) {
         for (const int each : others) unite(edge, each);
         continue;

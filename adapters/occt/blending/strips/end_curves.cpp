@@ -53,8 +53,8 @@ constexpr double kFootRoom = 0.25;  // of the feet's box: how far beyond it is s
 constexpr long kMaxPairs = 100'000;
 // Newton's steps to a common point of three surfaces, the last ones of which double its digits; and
 // of Open CASCADE's confusion, how near it has to come to all of them.
-constexpr int kGrownSteps = 20;
-constexpr double kGrownAt = 0.1;
+constexpr int kCommonSteps = 20;
+constexpr double kCommonAt = 0.1;
 
 Interval widened(const Interval& of, double room) { return {of.from - room, of.to + room}; }
 
@@ -311,40 +311,70 @@ std::optional<double> contact_through(const RolledStrip& of, std::size_t side, d
   return best;
 }
 
-// By Newton's method on the tangent planes of the three surfaces at the feet of the last place. For
-// planes and the cylinder of a strip it comes to the nearest place from its side and never past it.
-std::optional<EdgeThrough> grown_through(const RolledStrip& strip, const Interval& part,
-                                         const TopoDS_Face& a, const TopoDS_Face& b,
-                                         const Vec3& vertex) {
-  const std::array faces{strip.bare_face(), a, b};
-  const std::array feet{SurfaceProjector(faces[0], Precision::Confusion()),
-                        SurfaceProjector(faces[1], Precision::Confusion()),
-                        SurfaceProjector(faces[2], Precision::Confusion())};
-  std::array<std::optional<Vec2>, 3> near;
-  near[0] = strip.chart(at(part, 0.5), 0.5 * (strip.contacts[0].w + strip.contacts[1].w));
-  Vec3 place = vertex;
-  for (int step = 0; step < kGrownSteps; ++step) {
+namespace {
+
+// One of three surfaces, and where on it the last foot was.
+struct Footed {
+  SurfaceProjector feet;
+  std::optional<Vec2> near{};
+};
+
+Footed footed(const TopoDS_Face& face, const std::optional<Vec2>& near = std::nullopt) {
+  return {SurfaceProjector(face, Precision::Confusion()), near};
+}
+
+Footed footed(const RolledStrip& strip, const Interval& part) {
+  return footed(strip.bare_face(),
+                strip.chart(at(part, 0.5), 0.5 * (strip.contacts[0].w + strip.contacts[1].w)));
+}
+
+// A common point of three surfaces, by Newton's method on their tangent planes at the feet of the
+// last place. For planes and the cylinder of a strip it comes to the nearest one from its side and
+// never past it.
+std::optional<Vec3> common_point(std::array<Footed, 3>& of, Vec3 place) {
+  for (int step = 0; step < kCommonSteps; ++step) {
     SquareMatrix<3> normals;
     Vec3 off;
-    for (std::size_t i = 0; i < 3; ++i) {
-      near[i] = feet[i].foot(place, near[i]);
-      const SurfaceJet frame = frame_at(feet[i].surface(), *near[i]);
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      of[i].near = of[i].feet.foot(place, of[i].near);
+      const SurfaceJet frame = frame_at(of[i].feet.surface(), *of[i].near);
       const Vec3 normal = unit(cross(frame.du, frame.dv));
       normals[i] = {normal[0], normal[1], normal[2]};
       off[static_cast<int>(i)] = dot(normal, frame.point - place);
     }
-    const double error = norm(off);
-    if (step > 0 && error <= kGrownAt * Precision::Confusion()) {
-      const Vec2 tw = strip.along_u ? *near[0] : Vec2{(*near[0])[1], (*near[0])[0]};
-      const double share =
-          (tw[1] - strip.contacts[0].w) / (strip.contacts[1].w - strip.contacts[0].w);
-      if (share <= 0 || share >= 1) return std::nullopt;
-      return EdgeThrough{0, tw[0], tw[1], place};
-    }
+    if (step > 0 && norm(off) <= kCommonAt * Precision::Confusion()) return place;
     if (!solve(normals, off)) return std::nullopt;
     place += off;
   }
   return std::nullopt;
+}
+
+// A place between the contacts of a strip; nothing for others.
+std::optional<EdgeThrough> between_contacts(const RolledStrip& strip, const Vec2& uv,
+                                            const Vec3& point) {
+  const Vec2 tw = strip.along_u ? uv : Vec2{uv[1], uv[0]};
+  const double first = strip.contacts[0].w, share = (tw[1] - first) / (strip.contacts[1].w - first);
+  if (share <= 0 || share >= 1) return std::nullopt;
+  return EdgeThrough{0, tw[0], tw[1], point};
+}
+
+}  // namespace
+
+std::optional<EdgeThrough> grown_through(const RolledStrip& strip, const Interval& part,
+                                         const TopoDS_Face& a, const TopoDS_Face& b,
+                                         const Vec3& vertex) {
+  std::array of{footed(strip, part), footed(a), footed(b)};
+  const auto place = common_point(of, vertex);
+  return place ? between_contacts(strip, *of[0].near, *place) : std::nullopt;
+}
+
+std::optional<EdgeThrough> mitre_through(const RolledStrip& strip, const Interval& part,
+                                         const RolledStrip& other, const Interval& other_part,
+                                         const TopoDS_Face& face, const Vec3& vertex) {
+  std::array of{footed(strip, part), footed(other, other_part), footed(face)};
+  const auto place = common_point(of, vertex);
+  if (!place || !between_contacts(other, *of[1].near, *place)) return std::nullopt;
+  return between_contacts(strip, *of[0].near, *place);
 }
 
 namespace {

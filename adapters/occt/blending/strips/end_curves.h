@@ -87,6 +87,13 @@ std::optional<EdgeThrough> grown_through(const RolledStrip& strip, const Interva
                                          const TopoDS_Face& a, const TopoDS_Face& b,
                                          const Vec3& vertex);
 
+/// Where two strips that run into each other leave a face that both come to: the common point of
+/// the three surfaces nearest to the vertex, between the contacts of both. By the parameters of the
+/// first.
+std::optional<EdgeThrough> mitre_through(const RolledStrip& strip, const Interval& part,
+                                         const RolledStrip& other, const Interval& other_part,
+                                         const TopoDS_Face& face, const Vec3& vertex);
+
 /// The piece of the curve in which the surfaces of two faces meet; `on_strip` is in the parameters
 /// of the wall.
 std::optional<EndCurve> wall_curve_between(const TopoDS_Face& wall, const TopoDS_Face& face,
