@@ -414,6 +414,22 @@ TEST(FilletEnds, BetweenTwoFacesThatGrowSoDoesTheirEdge) {
   }
 }
 
+// A wall on a plate, their sides in one plane but in three faces, as a union leaves them: at the
+// foot of the wall's edge the plate's top takes what the ball lays bare, up to a border between
+// sides.
+TEST(FilletEnds, AtASmoothBorderBetweenPiecesOfOnePlane) {
+  const TopoDS_Shape shape =
+      BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(25, 14, 3)).Shape(),
+                       BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(3, 14, 30)).Shape())
+          .Shape();
+  const std::vector<int> edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+    return distance(at, Vec3{3, 0, 16.5}) < 1e-9;
+  });
+  ASSERT_EQ(edges.size(), 1U);
+  for (const double r : {0.5, 1.0, 2.0})
+    expect_change(fillet(shape, edges, {.radius = r}), -27 * kCut * r * r, 1e-9);
+}
+
 // What strips of radius r add round the foot of three upright sides and a slope of 15 over 20, and
 // take away inside out. The ball touches the slope lower than the sides, so that strips of both
 // meet in mitres.

@@ -369,10 +369,10 @@ int BlendSheet::cross_grown(const Ring& ring, const Interval& part, int face, St
   return next.face;
 }
 
-// Behind a strip of a concave edge faces grow at convex edges. Where the border of one, up to where
-// the strip comes to it, lies on the surface of another, as of two pieces of one plane, the other
-// takes all that is added, and that border becomes their common edge. False, and nothing is done,
-// if it does not.
+// Behind a strip faces grow at edges of the other kind. Where the border of one, up to where the
+// strip comes to it, lies on the surface of another, as of two pieces of one plane, the other takes
+// all that is added, and that border becomes their common edge; so does a smooth one, behind which
+// nothing grows. False, and nothing is done, if it does not.
 bool BlendSheet::takes_over(const Ring& ring, int taking, int giving, int edge,
                             const TopoDS_Vertex& cut) {
   const DirectedEdge half = ring.front().half;
@@ -380,9 +380,10 @@ bool BlendSheet::takes_over(const Ring& ring, int taking, int giving, int edge,
   const auto beside =
       std::ranges::find_if(ring, [&](const VertexSector& each) { return each.half.edge == edge; });
   double angle = 0;
-  if (!strip_of(half).strip.concave || beside == ring.end() || cut.IsSame(corner) ||
-      edge_kind(body_, edge, angle) != EdgeKind::Convex)
-    return false;
+  if (beside == ring.end() || cut.IsSame(corner)) return false;
+  const EdgeKind kind = edge_kind(body_, edge, angle);
+  const EdgeKind other = strip_of(half).strip.concave ? EdgeKind::Convex : EdgeKind::Concave;
+  if (kind != other && kind != EdgeKind::Smooth) return false;
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(body_.edge(edge), range.from, range.to);
   const bool at_start = beside->half.at_start;

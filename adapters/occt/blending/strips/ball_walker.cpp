@@ -181,6 +181,11 @@ WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double f
       first[k] = first_crossing(of, k, from, ahead, entered[k]);
       if (first[k] && (!side || is_nearer(first[k]->t, first[*side]->t))) side = k;
     }
+    // Of two edges at one place the sharp one ends the strip, whatever is behind the other one.
+    if (side && first[1 - *side] && is_smooth_at(body_, *first[*side]) &&
+        !is_smooth_at(body_, *first[1 - *side]) &&
+        !is_nearer(first[*side]->t + ahead * same_place(of, first[*side]->t), first[1 - *side]->t))
+      side = 1 - *side;
     if (const auto point = next ? std::nullopt : end_in_point(of, step, from, first)) return *point;
     const auto off = off_edge(of, from, ahead);
     if (off && (!side || is_nearer(off->t, first[*side]->t))) return *off;
