@@ -153,6 +153,9 @@ std::optional<double> Slivers::split_at(const TopoDS_Edge& edge, const TopoDS_Ed
   if (distance(own.point(t), place) > near || distance(point_of(first), place) <= near ||
       distance(point_of(last), place) <= near)
     return std::nullopt;
+  // Both pieces have a length: else the edge would be divided there again and again.
+  for (const double end : {own.range.from, own.range.to})
+    if (distance(own.point(t), own.point(end)) <= near) return std::nullopt;
   // What is common to both ends at the nearest of their ends on either side.
   for (const TopoDS_Vertex& end : {first, last}) {
     const double back = other.foot(point_of(end)), from = other.foot(place);
@@ -175,11 +178,16 @@ bool Slivers::split_one(FaceBorder& border) {
       if (i == k || boxes[i].IsOut(boxes[k])) continue;
       const TopoDS_Edge edge = forward(border.edges[sides[i]]);
       const TopoDS_Edge beside = forward(border.edges[sides[k]]);
-      for (const TopoDS_Vertex& vertex : {TopExp::FirstVertex(beside), TopExp::LastVertex(beside)})
+      for (const TopoDS_Vertex& vertex :
+           {TopExp::FirstVertex(beside), TopExp::LastVertex(beside)}) {
+        Bnd_Box near = bounds_of(vertex);
+        near.Enlarge(BRep_Tool::Tolerance(beside));
+        if (boxes[i].IsOut(near)) continue;
         if (const auto t = split_at(edge, beside, vertex)) {
           split(edge, *t, vertex);
           return true;
         }
+      }
     }
   return false;
 }
