@@ -197,17 +197,19 @@ void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
     const auto found = largest_fillet(work, asked, changed->size, why);
     work.set_own(own);
     if (!found && why.fault != FilletFault::Edge)
-      why.cause += std::string("; of the smaller ") + (options.chamfer ? "distances" : "radii") +
-                   " tried none works either";
+      why.tried = std::string("; of the smaller ") + (options.chamfer ? "distances" : "radii") +
+                  " tried none works either";
     if (!found) return;
     why.largest = found->radius;
     why.of_chamfer = options.chamfer.has_value();
-    if (!found->stopped.empty()) why.cause += "; larger balls are stopped by " + found->stopped;
+    if (!found->stopped.empty()) why.tried = "; larger balls are stopped by " + found->stopped;
     if (changed->edge > 0 && changed->edge != why.edge)
-      why.cause += "; smaller radii of edge " + std::to_string(changed->edge) +
+      why.tried += "; smaller radii of edge " + std::to_string(changed->edge) +
                    " were tried, while others kept theirs";
   } catch (const LimitFailure&) {
     work.set_own(own);  // the refusal stands without it
+    why.tried = std::string("; the largest ") + (options.chamfer ? "distance" : "radius") +
+                " that works was not found within the limit";
   }
 }
 

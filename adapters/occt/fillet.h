@@ -53,6 +53,8 @@ struct FilletRefusal {
   /// Where blends take more of an edge than there is: that part of their size with which they would
   /// just meet, if what they take grew with it.
   double fits = 1;
+  /// What other sizes showed, to follow the cause and the place: "; of the smaller radii ...".
+  std::string tried{};
 
   /// The largest as all doors tell it, six digits, cut off: what is told is to work.
   std::optional<double> told_largest() const;

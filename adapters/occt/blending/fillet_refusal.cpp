@@ -7,6 +7,14 @@
 
 namespace blossom::occt {
 
+namespace {
+
+// Of a place's largest coordinate: what of the others is left of rounding, and told as 0. Some
+// operations on coordinates of 2^-53.
+constexpr double kRounding = 0x1p-48;
+
+}  // namespace
+
 const char* to_string(FilletFault fault) {
   switch (fault) {
     case FilletFault::Edge: return "edge";
@@ -30,11 +38,21 @@ std::optional<double> FilletRefusal::told_largest() const {
   return digit * std::floor(*largest / digit);
 }
 
+std::string told_place(const Vec3& place) {
+  const double none = kRounding * max_norm(place);
+  std::ostringstream text;
+  for (int i = 0; i < 3; ++i)
+    text << (i == 0 ? "(" : ", ") << (std::abs(place[i]) <= none ? 0 : place[i]);
+  text << ")";
+  return text.str();
+}
+
 std::string FilletRefusal::text() const {
   std::ostringstream text;
   if (edge > 0) text << "edge " << edge << ": ";
   text << cause;
-  if (point) text << ", at (" << (*point)[0] << ", " << (*point)[1] << ", " << (*point)[2] << ")";
+  if (point) text << ", at " << told_place(*point);
+  text << tried;
   if (largest)
     text << "; the largest " << (of_chamfer ? "distance" : "radius") << " that works is "
          << *told_largest();

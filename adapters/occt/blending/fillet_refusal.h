@@ -22,6 +22,9 @@ class FilletRefused : public std::runtime_error {
   FilletRefusal why_;
 };
 
+/// "(1, 2, 0)": six digits, and 0 for what is left of rounding.
+std::string told_place(const Vec3& place);
+
 /// A text with "edge 12" and "face 3" replaced by what they are called elsewhere: of a body between
 /// two groups of fillets, in words of the one that was given.
 ///

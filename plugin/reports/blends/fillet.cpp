@@ -81,7 +81,7 @@ Json size_json(const FilletAnswer& answer) {
 Json refusal_json(const occt::FilletRefusal& refusal) {
   return {{"edge", refusal.edge > 0 ? Json(refusal.edge) : Json(nullptr)},
           {"fault", to_string(refusal.fault)},
-          {"cause", refusal.cause},
+          {"cause", refusal.cause + refusal.tried},
           {"parameter", number_or_null(refusal.parameter)},
           {"point", refusal.point ? Json(refusal.point->coordinates) : Json(nullptr)},
           {"largest_radius", number_or_null(refusal.told_largest())}};

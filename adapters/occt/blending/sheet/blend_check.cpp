@@ -38,9 +38,13 @@ int edge_beside(const FilletedSolid& made, const FilletFace& face, int otherwise
   return otherwise;
 }
 
-std::string name_of(const FilletFace& face) {
-  if (face.from > 0) return "what would be left of face " + std::to_string(face.from);
-  return face.edge > 0 ? "its strip" : "what would fill its corner";
+// Most often it is too large there, so that its border comes to others of the face or past them.
+std::string fault_text(const FilletFace& face, const std::string& what) {
+  if (face.from > 0)
+    return "face " + std::to_string(face.from) +
+           " has no room for the blend, what would be left of it is not sound: " + what;
+  return std::string(face.edge > 0 ? "its strip" : "what would fill its corner") +
+         " is not sound: " + what;
 }
 
 // The first fault of a face that is new or was cut, if the face that it is left of had none; as a
@@ -61,7 +65,7 @@ std::optional<FilletRefusal> new_fault(const BodyEdges& body, const FilletedSoli
     if (of[i]->from > 0 && face_faults({body.face(of[i]->from)}).front()) continue;
     FilletRefusal why;
     why.edge = edge_beside(made, *of[i], first);
-    why.cause = name_of(*of[i]) + " is not sound: " + faults[i]->what;
+    why.cause = fault_text(*of[i], faults[i]->what);
     why.point = faults[i]->place;
     if (!why.point) {
       const TopExp_Explorer corner(changed[i], TopAbs_VERTEX);

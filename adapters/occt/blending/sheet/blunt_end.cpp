@@ -196,8 +196,8 @@ bool BlendSheet::blunt(const Ring& ring, const std::string& why) {
   const Vec3 place = point_of(corner);
   const double rest = length_left(body_, half, place);
   std::ostringstream note;
-  note << "edge " << strip.edge << ": its strip ends in a plane across it at (" << place[0] << ", "
-       << place[1] << ", " << place[2] << "), where the faces at its end do not close it: " << why;
+  note << "edge " << strip.edge << ": its strip ends in a plane across it at " << told_place(place)
+       << ", where the faces at its end do not close it: " << why;
   if (rest > tolerance_) note << "; the last " << rest << " mm of the edge stay as they were";
   notes_.push_back(note.str());
   return true;

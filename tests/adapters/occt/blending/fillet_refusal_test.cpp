@@ -8,6 +8,24 @@
 namespace blossom::occt {
 namespace {
 
+TEST(FilletRefusalText, TellsPlacesWithoutWhatIsLeftOfRounding) {
+  EXPECT_EQ(told_place({6, -1.47e-15, -4.25}), "(6, 0, -4.25)");
+  EXPECT_EQ(told_place({1e-9, 0, 2e-9}), "(1e-09, 0, 2e-09)");
+}
+
+// The place belongs to the cause.
+TEST(FilletRefusalText, TellsWhatOtherRadiiShowedLast) {
+  FilletRefusal why;
+  why.edge = 3;
+  why.cause = "the ball is too large";
+  why.point = Vec3{1, 2, 3};
+  why.tried = "; larger balls are stopped by edge 4";
+  why.largest = 1.5;
+  EXPECT_EQ(why.text(),
+            "edge 3: the ball is too large, at (1, 2, 3); larger balls are stopped by edge 4; the "
+            "largest radius that works is 1.5");
+}
+
 TEST(FilletRefusalInOtherNumbers, NamesEdgesAndFacesAsTheyAreCalledThere) {
   const auto edge = [](int number) {
     return number == 12 ? std::string("edge 7") : std::string("an edge of a blend");
