@@ -29,6 +29,7 @@
 #include "adapters/occt/solids/tolerances/stated_tolerance.h"
 #include "adapters/occt/solids/validity/own_contacts.h"
 #include "adapters/occt/solids/validity/solid_validity.h"
+#include "adapters/occt/wires/wire_trim.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 
@@ -330,8 +331,9 @@ void find_own_contacts(const TrimTool& part, const std::vector<TrimTool>& tools,
 } catch (const BadModel&) {
 }
 
-void require_faces(const TrimTool& input, const std::string& name) {
-  if (input.faces.empty()) throw BadModel(name + ": there is no face in it");
+void require_shape(const TrimTool& input, const std::string& name) {
+  if (input.faces.empty() && input.wires.IsNull())
+    throw BadModel(name + ": there is nothing in it");
 }
 
 // What grew with a cut has grown in the result alone.
@@ -345,6 +347,7 @@ void part_from_inputs(BRepTools_ReShape& copies, SolidTrimResult& result) {
 
 std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation) {
+  if (takes_wires(part, tools)) return misplaced_wires(part, tools, operation);
   if (!takes_sheets(part, tools, operation) || operation == SolidOperation::Split ||
       operation == SolidOperation::Common)
     return {};
@@ -366,10 +369,11 @@ std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& t
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation, const IntersectionOptions& options) {
   if (tools.empty()) throw InvalidInput("trim: there is no tool");
-  require_faces(part, part_name(part));
-  for (std::size_t i = 0; i < tools.size(); ++i) require_faces(tools[i], tool_name(tools, i));
+  require_shape(part, part_name(part));
+  for (std::size_t i = 0; i < tools.size(); ++i) require_shape(tools[i], tool_name(tools, i));
   if (const std::string cause = misplaced_sheet(part, tools, operation); !cause.empty())
     throw InvalidInput("trim: " + cause);
+  if (takes_wires(part, tools)) return trim_wires(part, tools, operation, options);
   KeptTolerances kept(part.faces);
   for (const TrimTool& tool : tools) kept.remember(tool.faces);
   const SharedLimit limit(options);

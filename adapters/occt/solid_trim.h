@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Solids and sheets cut by solids and sheets: what they have in common, what is left, what they are
+// Solids, sheets and wires cut by each other: what they have in common, what is left, what they are
 // together.
 
 #pragma once
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
@@ -91,6 +92,13 @@ struct Finding {
   double size = 0;  ///< about how long what is found is, model units; 0: a point
 };
 
+/// Of the edges of inputs that have no faces, and of what they became, model units.
+struct TotalLengths {
+  double part = 0;
+  double tools = 0;
+  double result = 0;
+};
+
 struct SolidTrimResult {
   Status status = Status::Complete;  ///< of the intersection
   Certificate certificate;
@@ -101,6 +109,10 @@ struct SolidTrimResult {
   std::vector<SolidVolumes> volumes;  ///< one for each step, of the two that were combined then
   TotalVolumes total;                 ///< 0 if there is no result
   TotalAreas areas;                   ///< likewise; of sheets that are combined
+  /// Where an input has no face: wires, and vertices off them; null if there is no result.
+  TopoDS_Compound wires;
+  bool of_wires = false;  ///< whether there are such inputs: then there are lengths alone
+  TotalLengths lengths;   ///< 0 if there is no result
   std::string open_part;  ///< why the part is taken as a sheet, as `describe_open_shell`
   std::vector<std::string> left_out;    ///< faces of inputs that are loose beside closed solids
   std::vector<std::string> obstacles;   ///< why there is no result; none if it can be used
@@ -113,8 +125,8 @@ struct SolidTrimResult {
 /// Why the faces of a tool that is no solid bound none: "1 of its 2 shells is open, at 4 edges".
 std::string describe_open_shell(const TrimTool& tool);
 
-/// Why sheets among the inputs have no place in the operation; empty if they have, or there is
-/// none.
+/// Why sheets or wires among the inputs have no place in the operation; empty if they have, or
+/// there are none.
 std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation);
 
@@ -146,6 +158,10 @@ std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& t
 /// on both is there once. What a solid has in common with sheets is what of the first one lies in
 /// it, and on the others. The faces keep their turn, and hang together in sheets over edges that
 /// two of them use in opposite directions.
+///
+/// Inputs without faces, of edges and vertices, are divided where they meet the others
+/// (wires/wire_trim.h): what of them is outside of the tools is left (cut), in common is what of
+/// them lies in or on all others, wires are fused with wires.
 ///
 /// Pieces of two solids that have the same border and are less than two tolerances apart count as
 /// one, and so do cuts of a face that keep within tolerance of each other from end to end; what is

@@ -92,6 +92,8 @@ TrimTool trim_tool(const TopoDS_Shape& shape) {
     tool.solids.push_back(TopoDS::Solid(it.Current()));
   }
   tool.faces = faces_of(shape);
+  if (tool.faces.empty() && !shape.IsNull() && TopExp_Explorer(shape, TopAbs_VERTEX).More())
+    tool.wires = shape;
   if (tool.is_solid()) drop_loose_faces(tool, bounding);
   return tool;
 }

@@ -18,8 +18,9 @@ struct TrimTool {
   std::vector<TopoDS_Solid> solids;  ///< those that the faces bound; empty for an open tool
   std::string name{};                ///< in messages; empty: "the part" or "the tool"
   std::vector<int>
-      places{};   ///< of the faces among all of the shape, from 0; empty if they are all
-  int loose = 0;  ///< faces of the shape that are none of these: see `trim_tool`
+      places{};          ///< of the faces among all of the shape, from 0; empty if they are all
+  int loose = 0;         ///< faces of the shape that are none of these: see `trim_tool`
+  TopoDS_Shape wires{};  ///< a shape of edges and vertices without any face; else null
 
   bool is_solid() const { return !solids.empty(); }
 };
@@ -30,7 +31,7 @@ bool is_closed_solid(const TopoDS_Shape& solid);
 
 /// A tool of the shape's closed solids. Faces beside them, as of sheets and of solids that are
 /// open, are loose and left out. Of a shape without a closed solid all faces make an open
-/// tool.
+/// tool, and one without any face is taken for its edges and vertices.
 ///
 /// throws   BadModel if faces of a closed solid are turned differently, or all inwards
 TrimTool trim_tool(const TopoDS_Shape& shape);

@@ -123,6 +123,7 @@ occt::Model plane_model(const occt::Plane& plane, const TopoDS_Shape& part,
 // The part with what was made in the place of its solids.
 occt::Model combined_model(const occt::SolidTrimResult& made, const occt::Model& part,
                            const std::vector<const occt::Model*>& tools) {
+  if (made.of_wires) return reports::wires_model(made);
   if (!made.sheets.empty()) return reports::sheets_model(made, part, tools);
   occt::Model model = part.copy();
   std::vector<occt::CombinedSolid> solids;

@@ -21,7 +21,7 @@ CORE_ROOMS = """base math math/functions math/series forms forms/algebra forms/s
     regions/cleaning topology topology/clipping neighbours tessellation/charts tessellation meshes watertight blending
     blending/fills blending/continuity blending/strips blending/balls""".split()
 OCCT_ROOMS = """base convert faces faces/pairs tessellation queries splitting/edges splitting coincidence
-    pair_search solids/tolerances solids/validity solids repair exact exchange exchange/step documents blending
+    pair_search solids/tolerances solids/validity solids repair wires exact exchange exchange/step documents blending
     blending/strips blending/sheet""".split()
 REPORT_ROOMS = "text models cuts queries blends".split()
 

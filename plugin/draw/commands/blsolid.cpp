@@ -11,6 +11,7 @@
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/solid_trim.h"
 #include "plugin/draw/commands/commands.h"
 #include "plugin/draw/commands/words.h"
@@ -31,18 +32,32 @@ occt::SolidOperation operation_of(const std::string& word) {
   return found->second;
 }
 
+// One without faces is taken for its edges and vertices.
+occt::TrimTool input_named(const std::string& name) {
+  const TopoDS_Shape shape = shape_named(name);
+  if (!occt::faces_of(shape).empty()) return tool_named(name);
+  occt::TrimTool input = occt::trim_tool(shape);
+  input.name = name;
+  return input;
+}
+
 std::string answer_to_blsolid(const Words& words) {
   require(words.size() >= 4);
   const occt::SolidOperation operation = operation_of(words[1]);
-  const occt::TrimTool part = tool_named(words[2]);
+  const occt::TrimTool part = input_named(words[2]);
   std::vector<occt::TrimTool> tools;
-  for (std::size_t i = 3; i < words.size(); ++i) tools.push_back(tool_named(words[i]));
+  for (std::size_t i = 3; i < words.size(); ++i) tools.push_back(input_named(words[i]));
   if (const std::string cause = occt::misplaced_sheet(part, tools, operation); !cause.empty())
     throw occt::BadModel(cause);
 
   const occt::SolidTrimResult made = occt::trim_solids(part, tools, operation);
 
   if (!made.obstacles.empty()) throw occt::Failure(reports::causes(made).front());
+  if (made.of_wires) {
+    DBRep::Set(words[0].c_str(), made.wires);
+    return reports::counted_wires(made) + " " + to_string(made.status) + " " +
+           tcl_number(made.lengths.result);
+  }
   DBRep::Set(words[0].c_str(),
              made.of_sheets ? occt::compound_of(made.sheets) : occt::compound_of(made.solids));
   return std::to_string(made.of_sheets ? made.sheets.size() : made.solids.size()) + " " +
@@ -54,8 +69,9 @@ std::string answer_to_blsolid(const Words& words) {
 
 const Command kBlsolid{
     "blsolid", "result cut|common|fuse|split part tool [tool ...]",
-    "\n\t\t: closed solids, or sheets of faces, combined. The answer is the number of solids or"
-    "\n\t\t: sheets, complete or tolerance, and their volume or area.",
+    "\n\t\t: closed solids, sheets of faces, or wires, combined. The answer is the number of "
+    "solids,"
+    "\n\t\t: sheets or edges, complete or tolerance, and their volume, area or length.",
     answer_to_blsolid};
 
 }  // namespace blossom::draw

@@ -60,7 +60,8 @@ class Operations(_results.MadeShape):
         """The closed solid or the sheet combined with others.
 
         operation   "cut", "common", "fuse", or "split": cut and common side by side. Sheets are cut
-                    by solids, divided by sheets and fused with them, and they split solids
+                    by solids, divided by sheets and fused with them, and they split solids;
+                    edges without faces are cut by all of these
         planes      pairs (point, normal); what is above cuts like a tool
         fuzzy       what is up to so much farther apart than the tolerance counts as one
         """

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
 #include "adapters/occt/soundness.h"
@@ -64,6 +65,20 @@ int shell_count(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape shells;
   TopExp::MapShapes(shape, TopAbs_SHELL, shells);
   return shells.Extent();
+}
+
+int edge_count(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape edges;
+  if (!shape.IsNull()) TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  return edges.Extent();
+}
+
+// Those of no edge.
+std::size_t lone_vertices(const TopoDS_Shape& shape) {
+  std::size_t count = 0;
+  if (shape.IsNull()) return count;
+  for (TopExp_Explorer it(shape, TopAbs_VERTEX, TopAbs_EDGE); it.More(); it.Next()) ++count;
+  return count;
 }
 
 Json volumes_json(const occt::SolidVolumes& volumes) {
@@ -148,6 +163,20 @@ occt::Model sheets_model(const occt::SolidTrimResult& made, const occt::Model& p
   return model;
 }
 
+occt::Model wires_model(const occt::SolidTrimResult& made) {
+  occt::Model model;
+  model.add(made.wires, "wires");
+  return model;
+}
+
+std::string counted_wires(const occt::SolidTrimResult& made) {
+  const auto edges = static_cast<std::size_t>(edge_count(made.wires));
+  const std::size_t vertices = lone_vertices(made.wires);
+  return counted(edges, "edge") + (vertices == 1  ? " and a vertex"
+                                   : vertices > 1 ? " and " + std::to_string(vertices) + " vertices"
+                                                  : "");
+}
+
 void note_faces(SolidAnswer& answer) {
   answer.invalid = invalid_as_given(answer);
   answer.idle = idle_tools(answer);
@@ -183,6 +212,13 @@ Json solid_report(const SolidAnswer& answer) {
            {{"part", answer.made.areas.part},
             {"tools", answer.made.areas.tools},
             {"result", answer.made.areas.result}}},
+          {"wires",
+           {{"edges", edge_count(answer.made.wires)},
+            {"vertices", lone_vertices(answer.made.wires)},
+            {"lengths",
+             {{"part", answer.made.lengths.part},
+              {"tools", answer.made.lengths.tools},
+              {"result", answer.made.lengths.result}}}}},
           {"volumes", steps.empty() ? Json(nullptr) : steps.back()},
           {"steps", steps},
           {"total",

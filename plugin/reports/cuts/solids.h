@@ -49,6 +49,12 @@ std::vector<occt::FaceOrigin> origins_of(const TopoDS_Shape& shape,
 occt::Model sheets_model(const occt::SolidTrimResult& made, const occt::Model& part,
                          const std::vector<const occt::Model*>& tools);
 
+/// The wires of a result, and vertices off them, as one part.
+occt::Model wires_model(const occt::SolidTrimResult& made);
+
+/// How many edges and lone vertices they have: "3 edges and a vertex".
+std::string counted_wires(const occt::SolidTrimResult& made);
+
 /// The whole object, schema "blossom.solid/1".
 Json solid_report(const SolidAnswer& answer);
 

@@ -373,6 +373,29 @@ TEST_F(TrimSolidsCommand, LeavesOutFacesBesideSolidsAndTellsIt) {
   }
 }
 
+TEST_F(TrimSolidsCommand, CutsAWireByASolid) {
+  write(BRepBuilderAPI_MakePolygon(gp_Pnt(-3, 0, 1), gp_Pnt(1, 0, 1), gp_Pnt(1, 5, 1)).Shape(),
+        "wire.brep");
+  const auto trim = [&](const std::string& part, const std::string& tool,
+                        const std::string& operation) {
+    return blossom({"trim", folder / part, folder / tool, "--solid", operation, "-o",
+                    folder / "cut.brep", "--json", folder / "cut.json"});
+  };
+  for (const auto& [operation, length] : {std::pair{"cut", 4.}, {"common", 5.}, {"split", 9.}}) {
+    const Finished run = trim("wire.brep", "box.brep", operation);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json report = json::parse(testing::text_of(folder / "cut.json"));
+    EXPECT_EQ(report["wires"]["lengths"]["part"], 9);
+    EXPECT_NEAR(report["wires"]["lengths"]["result"], length, 1e-6);
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(occt::read_model(folder / "cut.brep").shape(), TopAbs_EDGE, edges);
+    EXPECT_EQ(report["wires"]["edges"], edges.Extent());
+  }
+  const Finished refused = trim("box.brep", "wire.brep", "cut");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("wires take nothing off faces and solids"), std::string::npos);
+}
+
 TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
   EXPECT_NE(combine("ball.step", {"join"}).err.find("'join'"), std::string::npos);
   EXPECT_EQ(combine("ball.step", {"join"}).code, 2);

@@ -264,10 +264,11 @@ void add_trim(CLI::App& app, int& exit_code) {
                    "tools), all, or the number of a piece")
       ->type_name("SIDE");
   command
-      ->add_option("--solid", options->solid,
-                   "combine closed solids or sheets instead: cut, common, fuse or split (cut and "
-                   "common side by "
-                   "side), with all tools; each tool, sheet or plane splits all pieces")
+      ->add_option(
+          "--solid", options->solid,
+          "combine closed solids, sheets or wires instead: cut, common, fuse or split (cut and "
+          "common side by "
+          "side), with all tools; each tool, sheet or plane splits all pieces")
       ->type_name("OPERATION");
   command
       ->add_option("--fuzzy", options->fuzzy,

@@ -16,6 +16,7 @@
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
 #include "plugin/cli/picture/mesh.h"
+#include "plugin/reports/cuts/solids.h"
 
 namespace blossom::cli {
 namespace {
@@ -95,10 +96,15 @@ Picture solids_picture(const std::string& title, const occt::SolidTrimResult& ma
   std::vector<TopoDS_Shape> shapes(made.solids.begin(), made.solids.end());
   shapes.insert(shapes.end(), made.sheets.begin(), made.sheets.end());
   const std::string kind = made.sheets.empty() ? "solid" : "sheet";
-  picture.subtitle = counted(shapes.size(), kind);
-  picture.subtitle += made.sheets.empty()
-                          ? ", volume " + number_text(rounded(made.total.result)) + " mm³"
-                          : ", area " + number_text(rounded(made.areas.result)) + " mm²";
+  picture.subtitle = made.of_wires ? reports::counted_wires(made) + ", length " +
+                                         number_text(rounded(made.lengths.result)) + " mm"
+                                   : counted(shapes.size(), kind);
+  for (TopExp_Explorer it(made.wires, TopAbs_EDGE); it.More(); it.Next())
+    picture.curves.push_back(edge_points(TopoDS::Edge(it.Current())));
+  if (!made.of_wires)
+    picture.subtitle += made.sheets.empty()
+                            ? ", volume " + number_text(rounded(made.total.result)) + " mm³"
+                            : ", area " + number_text(rounded(made.areas.result)) + " mm²";
   TopTools_IndexedMapOfShape known;
   std::vector<int> tools;
   for (const occt::SolidFace& face : made.faces)

@@ -73,7 +73,7 @@ void make_watertight(TimedSolids& timed, const EngineOptions& engine) {
 //
 // others   says what becomes of those that are not named
 occt::Model model_of(const std::string& text, Json& repairs, std::string& others) {
-  Input input = read_input(text);
+  Input input = read_input(text, Faces::Optional);
   repairs.push_back(repairs_json(input));
   if (static_cast<int>(input.numbers.size()) == input.model.face_count())
     return std::move(input.model);
@@ -128,6 +128,7 @@ TimedSolids timed_trim(const SolidTrim& options, const occt::Model& part, const 
 }
 
 std::string counted_shapes(const occt::SolidTrimResult& made) {
+  if (made.of_wires) return reports::counted_wires(made);
   return made.of_sheets ? counted(made.sheets.size(), "sheet")
                         : counted(made.solids.size(), "solid");
 }
@@ -144,7 +145,10 @@ bool cuts_nothing(const SolidTrim& options, const occt::SolidTrimResult& made) {
 std::string told_volumes(const SolidTrim& options, const occt::SolidTrimResult& made) {
   const auto number = [](double value) { return number_text(rounded(value)); };
   std::ostringstream text;
-  if (made.obstacles.empty() && made.of_sheets) {
+  if (made.obstacles.empty() && made.of_wires) {
+    text << "  lengths: part " << number(made.lengths.part) << ", tools "
+         << number(made.lengths.tools) << ", result " << number(made.lengths.result) << " mm\n";
+  } else if (made.obstacles.empty() && made.of_sheets) {
     text << "  areas: part " << number(made.areas.part) << ", tools " << number(made.areas.tools)
          << ", result " << number(made.areas.result) << " mm²\n";
   } else if (made.obstacles.empty()) {
@@ -205,6 +209,10 @@ void replace_shapes(occt::Model& part, const occt::SolidTrimResult& made, const 
                     const std::string& output) {
   std::vector<const occt::Model*> origins;
   for (const occt::Model& tool : tools) origins.push_back(&tool);
+  if (made.of_wires) {
+    part = reports::wires_model(made);
+    return;
+  }
   if (!made.sheets.empty()) {
     part = reports::sheets_model(made, part, origins);
     return;
@@ -230,7 +238,8 @@ bool wants_shape(const CommonOptions& outputs) {
 // Why nothing is written though it was asked for; empty if nothing speaks against it.
 std::string reason_of(const occt::SolidTrimResult& made) {
   if (!made.obstacles.empty()) return reports::causes(made).front();
-  return made.solids.empty() && made.sheets.empty() ? "the result is empty" : "";
+  const bool wires = !made.wires.IsNull() && TopExp_Explorer(made.wires, TopAbs_VERTEX).More();
+  return made.solids.empty() && made.sheets.empty() && !wires ? "the result is empty" : "";
 }
 
 void report_no_solid(const CommonOptions& outputs, const std::string& reason) {

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/wires/edge_divider.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+
+#include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/hulls.h"
+#include "adapters/occt/curve_queries.h"
+#include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/faces/surface_projector.h"
+#include "adapters/occt/intersection_edges.h"
+#include "adapters/occt/queries/solid_rays.h"
+#include "adapters/occt/splitting/edges/edge_stretches.h"
+#include "adapters/occt/trim_tool.h"
+
+namespace blossom::occt {
+namespace {
+
+// Parts of a piece in which its side is asked for: on a face it is if all of them are; of a solid
+// one that tells is enough, since it changes sides at no other place than its ends.
+constexpr std::array<double, 4> kAskedAt{0.5, 0.37, 0.71, 0.19};
+
+// How far one may be off from the other and still meet it, model units.
+double reach_of(double tolerance, double a, double b) { return std::max({tolerance, a, b}); }
+
+template <class Shape>
+struct Boxed {
+  Shape shape;
+  Bnd_Box box;
+};
+
+template <class Shape>
+Boxed<Shape> boxed(const Shape& shape) {
+  return {shape, bounds_of(shape)};
+}
+
+Bnd_Box box_round(const TopoDS_Shape& shape, double reach) {
+  Bnd_Box box = bounds_of(shape);
+  box.Enlarge(reach);
+  return box;
+}
+
+// Where an edge may change sides. What is a run in a surface ends for sure where it meets an edge
+// of the face; else its end says only where the run is no longer known, and the edge may go on in
+// it.
+struct EdgeStop {
+  double parameter = 0;
+  bool sure = true;
+};
+
+// Stops that an edge does not leave between them are one: the ends of the edge, or a sure one.
+std::vector<EdgeStop> distinct_stops(std::vector<EdgeStop> stops, const RangedCurve& of,
+                                     double reach) {
+  const auto is_place = [&](const EdgeStop& a, const EdgeStop& b) {
+    const double s = a.parameter, t = b.parameter;
+    const Vec3 point = vec(of.curve->Value(s));
+    return distance(point, vec(of.curve->Value(t))) <= reach &&
+           distance(point, vec(of.curve->Value(0.5 * (s + t)))) <= reach;
+  };
+  std::ranges::sort(stops, {}, &EdgeStop::parameter);
+  const EdgeStop last{of.range.to};
+  std::vector<EdgeStop> kept{{of.range.from}};
+  for (const EdgeStop& stop : stops) {
+    if (stop.parameter <= of.range.from || stop.parameter >= of.range.to || is_place(stop, last))
+      continue;
+    if (!is_place(kept.back(), stop))
+      kept.push_back(stop);
+    else if (!kept.back().sure)
+      kept.back() = stop;
+  }
+  kept.push_back(last);
+  return kept;
+}
+
+// A stop that is not sure divides nothing where the edge does not change sides.
+void add_piece(const WirePiece& piece, bool sure, std::vector<WirePiece>& pieces) {
+  if (!sure && !pieces.empty() && pieces.back().side == piece.side)
+    pieces.back().range.to = piece.range.to;
+  else
+    pieces.push_back(piece);
+}
+
+}  // namespace
+
+// What tells the place of a point in a face.
+struct ObstacleChart {
+  FaceTrims trims;
+  SurfaceProjector feet;
+};
+
+// What edges meet. The rays of a solid and the charts of faces are made when they are asked for.
+struct EdgeObstacles {
+  std::vector<Boxed<TopoDS_Face>> faces;
+  std::vector<std::unique_ptr<ObstacleChart>> charts;
+  std::vector<Boxed<TopoDS_Edge>> edges;
+  std::vector<TopoDS_Vertex> vertices;
+  std::vector<Boxed<TopoDS_Solid>> solids;
+  std::vector<std::unique_ptr<SolidRays>> rays;
+};
+
+// Where an edge meets the shape, by its parameters.
+struct EdgeMeetings {
+  struct Run {
+    std::size_t face = 0;
+    double reach = 0;
+  };
+  double reach = 0;  // the largest by which anything was found
+  std::vector<EdgeStop> stops;
+  std::vector<Run> in_surfaces;
+  std::vector<Interval> along_edges;
+  Status status = Status::Complete;
+  std::vector<std::string> reasons;
+  bool open = false;
+
+  template <class Found>
+  void add_state(const Found& found) {
+    status = weaker(status, found.status);
+    for (const std::string& reason : found.certificate.reasons)
+      if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
+    open = open || found.status == Status::Stopped ||
+           std::ranges::count(found.places, PlaceKind::Open, &CurvePlace::kind) > 0;
+  }
+  void add_run(const Interval& run, bool sure) {
+    stops.push_back({run.from, sure});
+    stops.push_back({run.to, sure});
+  }
+};
+
+EdgeDivider::EdgeDivider(const TopoDS_Shape& shape, const IntersectionOptions& options)
+    : shape_(std::make_unique<EdgeObstacles>()),
+      tolerance_(options.tolerances.point),
+      limit_(options) {
+  for (const TopoDS_Face& face : faces_of(shape)) shape_->faces.push_back(boxed(face));
+  shape_->charts.resize(shape_->faces.size());
+  TopTools_IndexedMapOfShape edges, vertices;
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i)
+    if (!BRep_Tool::Degenerated(TopoDS::Edge(edges(i))))
+      shape_->edges.push_back(boxed(TopoDS::Edge(edges(i))));
+  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
+  for (int i = 1; i <= vertices.Extent(); ++i)
+    shape_->vertices.push_back(TopoDS::Vertex(vertices(i)));
+  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
+    if (is_closed_solid(it.Current())) shape_->solids.push_back(boxed(TopoDS::Solid(it.Current())));
+  shape_->rays.resize(shape_->solids.size());
+}
+
+EdgeDivider::~EdgeDivider() = default;
+
+void EdgeDivider::meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met) {
+  const RangedCurve of = curve_of(edge);
+  for (std::size_t i = 0; i < shape_->faces.size(); ++i) {
+    const auto& [face, box] = shape_->faces[i];
+    const double reach =
+        reach_of(tolerance_, BRep_Tool::Tolerance(edge), BRep_Tool::Tolerance(face));
+    if (box.IsOut(box_round(edge, reach))) continue;
+    IntersectionOptions options = limit_.remaining_alone();
+    options.tolerances.point = reach;
+    const CurveSurfaceIntersection found = intersect(edge, face, options);
+    met.add_state(found);
+    met.reach = std::max(met.reach, reach);
+    for (const CurveSurfacePoint& point : found.points) met.stops.push_back({point.t});
+    bool lies = false;  // a touch is one place
+    for (const CurveSurfaceOverlap& run : found.overlaps) {
+      const bool touch = passes(of, run.t, chart_of(i).feet, reach);
+      if (touch)
+        met.stops.push_back({at(run.t, 0.5)});
+      else
+        met.add_run(run.t, false);
+      lies = lies || !touch;
+    }
+    if (lies) met.in_surfaces.push_back({i, reach});
+  }
+}
+
+void EdgeDivider::meet_edges(const TopoDS_Edge& edge, EdgeMeetings& met) {
+  for (const auto& [other, box] : shape_->edges) {
+    const double reach =
+        reach_of(tolerance_, BRep_Tool::Tolerance(edge), BRep_Tool::Tolerance(other));
+    if (box.IsOut(box_round(edge, reach))) continue;
+    if (other.IsSame(edge)) {
+      met.along_edges.push_back(curve_of(edge).range);
+      continue;
+    }
+    IntersectionOptions options = limit_.remaining_alone();
+    options.tolerances.point = reach;
+    const CurveIntersection found = intersect(edge, other, options);
+    met.add_state(found);
+    met.reach = std::max(met.reach, reach);
+    for (const CurvePoint& point : found.points) met.stops.push_back({point.a});
+    for (const CurveOverlap& run : found.overlaps) {
+      met.add_run(run.a, true);
+      met.along_edges.push_back(run.a);
+    }
+  }
+}
+
+void EdgeDivider::meet_vertices(const TopoDS_Edge& edge, EdgeMeetings& met) const {
+  const RangedCurve of = curve_of(edge);
+  for (const TopoDS_Vertex& vertex : shape_->vertices) {
+    const double reach =
+        reach_of(tolerance_, BRep_Tool::Tolerance(edge), BRep_Tool::Tolerance(vertex));
+    const gp_Pnt point = BRep_Tool::Pnt(vertex);
+    if (box_round(edge, reach).IsOut(point)) continue;
+    const EdgeFoot foot = foot_on(of, point);
+    if (foot.distance > reach) continue;
+    met.stops.push_back({foot.parameter});
+    met.reach = std::max(met.reach, reach);
+  }
+}
+
+const ObstacleChart& EdgeDivider::chart_of(std::size_t face) {
+  std::unique_ptr<ObstacleChart>& chart = shape_->charts[face];
+  const TopoDS_Face& of = shape_->faces[face].shape;
+  if (!chart)
+    chart = std::make_unique<ObstacleChart>(
+        ObstacleChart{face_trims(of), SurfaceProjector(of, tolerance_)});
+  return *chart;
+}
+
+bool EdgeDivider::lies_on(std::size_t face, const Vec3& point, double reach) {
+  const auto& [trims, feet] = chart_of(face);
+  const Vec2 uv = feet.foot(point, {});
+  if (feet.gap(point, uv) > reach) return false;
+  return border_at(trims, uv).has_value() ||
+         is_inside(trims, {uv[0] * trims.scale[0], uv[1] * trims.scale[1]});
+}
+
+std::optional<WireSide> EdgeDivider::side_in_solids(const Vec3& point) {
+  bool told = true;
+  for (std::size_t i = 0; i < shape_->solids.size(); ++i) {
+    const auto& [solid, box] = shape_->solids[i];
+    if (box.IsOut(pnt(point))) continue;
+    if (!shape_->rays[i])
+      shape_->rays[i] = std::make_unique<SolidRays>(faces_of(solid), tolerance_);
+    const std::optional<bool> inside = shape_->rays[i]->is_inside(point);
+    if (inside == true) return WireSide::Inside;
+    told = told && inside.has_value();
+  }
+  return told ? std::optional(WireSide::Outside) : std::nullopt;
+}
+
+std::optional<WireSide> EdgeDivider::side_of(const TopoDS_Edge& edge, const EdgeMeetings& met,
+                                             const Interval& piece) {
+  const RangedCurve of = curve_of(edge);
+  const double middle = at(piece, 0.5);
+  const auto holds = [middle](const Interval& run) {
+    return run.from <= middle && middle <= run.to;
+  };
+  if (std::ranges::any_of(met.along_edges, holds)) return WireSide::On;
+  for (const EdgeMeetings::Run& run : met.in_surfaces)
+    if (std::ranges::all_of(kAskedAt, [&](double part) {
+          return lies_on(run.face, vec(of.curve->Value(at(piece, part))), run.reach);
+        }))
+      return WireSide::On;
+  for (const double part : kAskedAt)
+    if (const auto side = side_in_solids(vec(of.curve->Value(at(piece, part))))) return side;
+  return {};
+}
+
+DividedEdge EdgeDivider::divide(const TopoDS_Edge& edge) {
+  EdgeMeetings met;
+  meet_faces(edge, met);
+  meet_edges(edge, met);
+  meet_vertices(edge, met);
+  DividedEdge divided{met.status, {}, {}, met.reasons};
+  if (met.open) {
+    divided.obstacle = "it is not known where an edge meets the other shape";
+    return divided;
+  }
+  const std::vector<EdgeStop> stops = distinct_stops(met.stops, curve_of(edge), met.reach);
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+    const Interval range{stops[i].parameter, stops[i + 1].parameter};
+    const std::optional<WireSide> side = side_of(edge, met, range);
+    if (!side) divided.obstacle = "no ray tells on which side of a solid a piece of an edge lies";
+    add_piece({range, side.value_or(WireSide::Outside)}, stops[i].sure, divided.pieces);
+  }
+  return divided;
+}
+
+std::optional<WireSide> EdgeDivider::side_of(const TopoDS_Vertex& vertex) {
+  const gp_Pnt point = BRep_Tool::Pnt(vertex);
+  const double own = BRep_Tool::Tolerance(vertex);
+  for (const TopoDS_Vertex& other : shape_->vertices)
+    if (BRep_Tool::Pnt(other).Distance(point) <=
+        reach_of(tolerance_, own, BRep_Tool::Tolerance(other)))
+      return WireSide::On;
+  for (const auto& [edge, box] : shape_->edges) {
+    const double reach = reach_of(tolerance_, own, BRep_Tool::Tolerance(edge));
+    if (!box.IsOut(box_round(vertex, reach)) && foot_on(curve_of(edge), point).distance <= reach)
+      return WireSide::On;
+  }
+  for (std::size_t i = 0; i < shape_->faces.size(); ++i) {
+    const auto& [face, box] = shape_->faces[i];
+    const double reach = reach_of(tolerance_, own, BRep_Tool::Tolerance(face));
+    if (!box.IsOut(box_round(vertex, reach)) && lies_on(i, vec(point), reach)) return WireSide::On;
+  }
+  return side_in_solids(vec(point));
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// One edge divided where it meets a shape, and where its pieces lie to that.
+
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include "adapters/occt/base/shared_limit.h"
+#include "core/base/status.h"
+#include "core/math/interval.h"
+#include "core/math/vec.h"
+#include "core/results/options.h"
+
+namespace blossom::occt {
+
+/// How a piece of an edge, or a vertex, lies to a shape: on one of its faces, edges and vertices,
+/// or inside of one of its closed solids.
+enum class WireSide { Outside, On, Inside };
+
+struct WirePiece {
+  Interval range;  ///< parameters of the edge
+  WireSide side = WireSide::Outside;
+};
+
+/// Pieces from end to end, which meet where the edge and the shape have a point in common.
+struct DividedEdge {
+  Status status = Status::Complete;  ///< of the intersections
+  std::vector<WirePiece> pieces;
+  std::string obstacle;              ///< why the sides of pieces are not known; empty if they are
+  std::vector<std::string> reasons;  ///< why the status is not complete
+};
+
+struct EdgeMeetings;
+struct EdgeObstacles;
+struct ObstacleChart;
+
+/// Divides edges by all faces, edges and vertices of a shape, whatever it is made of.
+///
+/// What is nearer than the tolerance, or than what the two state of which one is asked about the
+/// other, is a common point. Common points that the edge does not leave by more than that between
+/// them are one, and the ends of the edge come first: so no piece is shorter.
+class EdgeDivider {
+ public:
+  /// shape     kept
+  /// options   kept by reference; their limits are those of all questions together
+  /// throws    BadModel if a face cannot be converted, as the questions may
+  EdgeDivider(const TopoDS_Shape& shape, const IntersectionOptions& options);
+  ~EdgeDivider();
+
+  /// edge   has a curve in space
+  DividedEdge divide(const TopoDS_Edge& edge);
+
+  /// Nothing if rays do not tell.
+  std::optional<WireSide> side_of(const TopoDS_Vertex& vertex);
+
+ private:
+  void meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met);
+  void meet_edges(const TopoDS_Edge& edge, EdgeMeetings& met);
+  void meet_vertices(const TopoDS_Edge& edge, EdgeMeetings& met) const;
+  std::optional<WireSide> side_of(const TopoDS_Edge& edge, const EdgeMeetings& met,
+                                  const Interval& piece);
+  const ObstacleChart& chart_of(std::size_t face);
+  bool lies_on(std::size_t face, const Vec3& point, double reach);
+  std::optional<WireSide> side_in_solids(const Vec3& point);
+
+  std::unique_ptr<EdgeObstacles> shape_;
+  double tolerance_;
+  SharedLimit limit_;
+};
+
+}  // namespace blossom::occt
