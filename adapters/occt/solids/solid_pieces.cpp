@@ -407,6 +407,9 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
   if (joined.collapsed() > 0)
     result.obstacles.push_back(std::to_string(joined.collapsed()) +
                                " edges are shorter than the tolerance of their ends");
+  if (joined.swallowed() > 0)
+    result.obstacles.push_back(std::to_string(joined.swallowed()) +
+                               " edges are half in a vertex that is uncertain by so much");
   attempt("finding sides", limit, result, [&] {
     SidesTold told = find_sides(split_a, split_b, overlaps_of(found), tolerance, &limit);
     result.obstacles.insert(result.obstacles.end(), told.obstacles.begin(), told.obstacles.end());

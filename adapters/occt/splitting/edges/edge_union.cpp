@@ -76,6 +76,20 @@ bool lies_in_its_vertex(const TopoDS_Edge& edge) {
   });
 }
 
+// Whether a vertex in which an edge ends reaches the middle of that edge, which it did not before
+// it was united with others.
+bool reaches_middle(const TopoDS_Vertex& now, const TopoDS_Vertex& before,
+                    const TopoDS_Edge& edge) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  if (curve.IsNull()) return false;
+  const gp_Pnt middle = curve->Value(at(range, 0.5));
+  const auto reaches = [&](const TopoDS_Vertex& vertex) {
+    return BRep_Tool::Pnt(vertex).Distance(middle) <= BRep_Tool::Tolerance(vertex);
+  };
+  return reaches(now) && !reaches(before);
+}
+
 // What `from` has was made without a place of its own, so that its curves' places are in model
 // space.
 void take_pcurves(const TopoDS_Edge& from, const TopoDS_Edge& to, double tolerance) {
@@ -158,6 +172,7 @@ TopoDS_Edge EdgeUnion::united(const TopoDS_Edge& edge) {
     const TopoDS_Vertex vertex = TopoDS::Vertex(it.Value());
     const TopoDS_Vertex other = united(vertex);
     changed = changed || !other.IsSame(vertex);
+    if (reaches_middle(other, vertex, first)) ++swallowed_;
     builder.Add(made, other.Oriented(vertex.Orientation()));
     // The image of a degenerated edge stays in its pole.
     if (BRep_Tool::Degenerated(first))

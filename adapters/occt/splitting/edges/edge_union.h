@@ -54,6 +54,10 @@ class EdgeUnion {
   /// then.
   int collapsed() const { return collapsed_; }
 
+  /// Edges of which a vertex reaches the middle, since it was united with others that are that far
+  /// away: it stands for more than a point then.
+  int swallowed() const { return swallowed_; }
+
   /// Wires that rebuilt faces lost: holes, and the borders of faces of which nothing is left.
   int lost_wires() const { return lost_wires_; }
 
@@ -70,6 +74,7 @@ class EdgeUnion {
   TopTools_DataMapOfShapeShape made_edges_;
   TopTools_MapOfShape left_out_;
   int collapsed_ = 0;
+  int swallowed_ = 0;
   int lost_wires_ = 0;
 };
 

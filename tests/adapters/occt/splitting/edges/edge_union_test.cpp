@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -65,6 +66,18 @@ TEST(EdgeUnion, LeavesNothingOfAFaceThatLiesInOneVertex) {
   speck.join_corners(joined);
   EXPECT_TRUE(joined.rebuilt(BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), speck.wire)).IsNull());
   EXPECT_EQ(joined.lost_wires(), 1);
+}
+
+// Both edges of the corner that moved are half in its ball then.
+TEST(EdgeUnion, CountsEdgesThatAreHalfInAVertexOfTheirs) {
+  for (const auto& [away, count] : {std::pair{1., 0}, {4.9, 0}, {6., 2}}) {
+    const Triangle border(0, 0, 10);
+    EdgeUnion joined;
+    joined.join(border.corners[0], BRepBuilderAPI_MakeVertex({0, 0, away}));
+    joined.rebuilt(BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), border.wire));
+    EXPECT_EQ(joined.swallowed(), count) << away;
+    EXPECT_EQ(joined.collapsed(), 0);
+  }
 }
 
 TEST(EdgeUnion, KeepsAFaceOfWhichNothingIsJoined) {
