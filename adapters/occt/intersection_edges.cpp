@@ -3,18 +3,21 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/splitting/edges/joined_curves.h"
+#include "adapters/occt/wires/edge_divider.h"
 #include "core/results/contact_places.h"
 
 namespace blossom::occt {
@@ -50,15 +53,55 @@ FoundCurve found_curve(const EdgeCurves& edge, const SurfaceIntersection& found,
   return curve;
 }
 
+// The edges that one face of a list alone has, and once.
+TopTools_MapOfShape free_edges(const std::vector<TopoDS_Face>& faces) {
+  TopTools_MapOfShape once, more;
+  for (const TopoDS_Face& face : faces)
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+      if (!once.Add(it.Current())) more.Add(it.Current());
+  once.Subtract(more);
+  return once;
+}
+
+// Where a common region ends with one of its faces, and no neighbour of that crosses the other one:
+// what of its free edges lies in the other face.
+void add_free_borders(const TopoDS_Face& of, const TopTools_MapOfShape& free,
+                      const TopoDS_Face& other, std::vector<FoundCurve>& curves) {
+  const IntersectionOptions options;
+  std::optional<EdgeDivider> divider;
+  for (TopExp_Explorer it(of, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    if (!free.Contains(edge) || BRep_Tool::Degenerated(edge)) continue;
+    if (!divider) divider.emplace(other, std::vector<TopoDS_Solid>(), options);
+    const double tolerance = BRep_Tool::Tolerance(edge);
+    const RangedCurve curve = curve_of(edge);
+    const DividedEdge divided = divider->divide(edge);
+    const bool closed = divided.pieces.size() == 1 && BRep_Tool::IsClosed(edge);
+    for (const WirePiece& piece : divided.pieces)
+      if (piece.side == WireSide::On)
+        curves.push_back({{curve.curve, piece.range},
+                          closed,
+                          tolerance,
+                          {tolerance, tolerance},
+                          std::max(stated_by(of), stated_by(other))});
+  }
+}
+
 }  // namespace
 
 TopoDS_Compound compound_of(const ShapeIntersection& found, const std::vector<TopoDS_Face>& a,
                             const std::vector<TopoDS_Face>& b) {
   std::vector<FoundCurve> curves;
   std::vector<FoundPoint> points;
+  const TopTools_MapOfShape free_a = free_edges(a), free_b = free_edges(b);
   for (const FaceIntersection& pair : found.pairs) {
-    const double stated = std::max(stated_by(a[static_cast<std::size_t>(pair.face_a)]),
-                                   stated_by(b[static_cast<std::size_t>(pair.face_b)]));
+    const TopoDS_Face& face_a = a[static_cast<std::size_t>(pair.face_a)];
+    const TopoDS_Face& face_b = b[static_cast<std::size_t>(pair.face_b)];
+    const double stated = std::max(stated_by(face_a), stated_by(face_b));
+    if (std::ranges::count(pair.found.places, PlaceKind::Overlap, &Place::kind) > 0) {
+      add_free_borders(face_a, free_a, face_b, curves);
+      add_free_borders(face_b, free_b, face_a, curves);
+    }
     for (std::size_t i = 0; i < pair.edges.size(); ++i)
       curves.push_back(found_curve(pair.edges[i], pair.found, i, stated));
     for (const SurfacePoint& contact : pair.found.points) {

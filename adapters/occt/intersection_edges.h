@@ -17,7 +17,8 @@ namespace blossom::occt {
 std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape);
 
 /// What two shapes have in common as wires of edges with common vertices, each stretch once, and
-/// vertices at isolated contacts, as `joined_curves` has them.
+/// vertices at isolated contacts, as `joined_curves` has them. Of common regions these are the
+/// borders: where faces end freely, what of their edges lies in the other face.
 /// a, b     the lists that were intersected; one list twice for `self_intersect`
 /// throws   Failure if Open CASCADE refuses one
 TopoDS_Compound compound_of(const ShapeIntersection& found, const std::vector<TopoDS_Face>& a,

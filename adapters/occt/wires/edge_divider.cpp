@@ -18,10 +18,8 @@
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/surface_projector.h"
-#include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
-#include "adapters/occt/trim_tool.h"
 
 namespace blossom::occt {
 namespace {
@@ -48,6 +46,13 @@ Bnd_Box box_round(const TopoDS_Shape& shape, double reach) {
   Bnd_Box box = bounds_of(shape);
   box.Enlarge(reach);
   return box;
+}
+
+std::vector<TopoDS_Face> faces_in(const TopoDS_Solid& solid) {
+  std::vector<TopoDS_Face> faces;
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(TopoDS::Face(it.Current()));
+  return faces;
 }
 
 // Where an edge may change sides. What is a run in a surface ends for sure where it meets an edge
@@ -136,22 +141,23 @@ struct EdgeMeetings {
   }
 };
 
-EdgeDivider::EdgeDivider(const TopoDS_Shape& shape, const IntersectionOptions& options)
+EdgeDivider::EdgeDivider(const TopoDS_Shape& shape, const std::vector<TopoDS_Solid>& solids,
+                         const IntersectionOptions& options)
     : shape_(std::make_unique<EdgeObstacles>()),
       tolerance_(options.tolerances.point),
       limit_(options) {
-  for (const TopoDS_Face& face : faces_of(shape)) shape_->faces.push_back(boxed(face));
-  shape_->charts.resize(shape_->faces.size());
-  TopTools_IndexedMapOfShape edges, vertices;
+  TopTools_IndexedMapOfShape faces, edges, vertices;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
   TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
+  for (int i = 1; i <= faces.Extent(); ++i) shape_->faces.push_back(boxed(TopoDS::Face(faces(i))));
   for (int i = 1; i <= edges.Extent(); ++i)
     if (!BRep_Tool::Degenerated(TopoDS::Edge(edges(i))))
       shape_->edges.push_back(boxed(TopoDS::Edge(edges(i))));
-  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
   for (int i = 1; i <= vertices.Extent(); ++i)
     shape_->vertices.push_back(TopoDS::Vertex(vertices(i)));
-  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
-    if (is_closed_solid(it.Current())) shape_->solids.push_back(boxed(TopoDS::Solid(it.Current())));
+  for (const TopoDS_Solid& solid : solids) shape_->solids.push_back(boxed(solid));
+  shape_->charts.resize(shape_->faces.size());
   shape_->rays.resize(shape_->solids.size());
 }
 
@@ -242,7 +248,7 @@ std::optional<WireSide> EdgeDivider::side_in_solids(const Vec3& point) {
     const auto& [solid, box] = shape_->solids[i];
     if (box.IsOut(pnt(point))) continue;
     if (!shape_->rays[i])
-      shape_->rays[i] = std::make_unique<SolidRays>(faces_of(solid), tolerance_);
+      shape_->rays[i] = std::make_unique<SolidRays>(faces_in(solid), tolerance_);
     const std::optional<bool> inside = shape_->rays[i]->is_inside(point);
     if (inside == true) return WireSide::Inside;
     told = told && inside.has_value();

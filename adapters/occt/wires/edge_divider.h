@@ -11,6 +11,7 @@
 
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/base/shared_limit.h"
@@ -50,9 +51,11 @@ struct ObstacleChart;
 class EdgeDivider {
  public:
   /// shape     kept
+  /// solids    the closed ones in it
   /// options   kept by reference; their limits are those of all questions together
   /// throws    BadModel if a face cannot be converted, as the questions may
-  EdgeDivider(const TopoDS_Shape& shape, const IntersectionOptions& options);
+  EdgeDivider(const TopoDS_Shape& shape, const std::vector<TopoDS_Solid>& solids,
+              const IntersectionOptions& options);
   ~EdgeDivider();
 
   /// edge   has a curve in space

@@ -24,10 +24,16 @@
 namespace blossom::occt {
 namespace {
 
-TopoDS_Shape shape_of(const TrimTool& input) {
-  if (!input.wires.IsNull()) return input.wires;
-  if (input.is_solid()) return compound_of(input.solids);
-  return compound_of(input.faces);
+// An input as what divides edges.
+struct WireTool {
+  TopoDS_Shape shape;
+  std::vector<TopoDS_Solid> solids;
+};
+
+WireTool wire_tool(const TrimTool& input) {
+  if (!input.wires.IsNull()) return {input.wires, {}};
+  if (input.is_solid()) return {compound_of(input.solids), input.solids};
+  return {compound_of(input.faces), {}};
 }
 
 bool has_edges(const TopoDS_Shape& shape) { return TopExp_Explorer(shape, TopAbs_EDGE).More(); }
@@ -105,28 +111,28 @@ void take_wires(const TopoDS_Shape& of, EdgeDivider& by, SolidOperation operatio
   }
 }
 
-TopoDS_Shape combined_wires(const TopoDS_Shape& wires, const TopoDS_Shape& tool,
+TopoDS_Shape combined_wires(const TopoDS_Shape& wires, const WireTool& tool,
                             SolidOperation operation, const IntersectionOptions& options,
                             SolidTrimResult& result) {
   WirePieces pieces;
-  EdgeDivider by_tool(tool, options);
+  EdgeDivider by_tool(tool.shape, tool.solids, options);
   take_wires(wires, by_tool, operation, pieces, result);
   if (operation == SolidOperation::Fuse) {
-    EdgeDivider by_wires(wires, options);
-    take_wires(tool, by_wires, SolidOperation::Cut, pieces, result);
+    EdgeDivider by_wires(wires, {}, options);
+    take_wires(tool.shape, by_wires, SolidOperation::Cut, pieces, result);
   }
   return joined_curves(pieces.curves, pieces.points);
 }
 
 // What is divided comes first: the part, or in common what has the lowest dimension.
-std::vector<TopoDS_Shape> in_order(const TrimTool& part, const std::vector<TrimTool>& tools,
-                                   SolidOperation operation) {
-  std::vector<TopoDS_Shape> all{shape_of(part)};
-  for (const TrimTool& tool : tools) all.push_back(shape_of(tool));
+std::vector<WireTool> in_order(const TrimTool& part, const std::vector<TrimTool>& tools,
+                               SolidOperation operation) {
+  std::vector<WireTool> all{wire_tool(part)};
+  for (const TrimTool& tool : tools) all.push_back(wire_tool(tool));
   if (operation != SolidOperation::Common) return all;
-  const auto dimension = [](const TopoDS_Shape& shape) {
-    if (!has_edges(shape)) return 0;
-    return TopExp_Explorer(shape, TopAbs_FACE).More() ? 2 : 1;
+  const auto dimension = [](const WireTool& tool) {
+    if (!has_edges(tool.shape)) return 0;
+    return TopExp_Explorer(tool.shape, TopAbs_FACE).More() ? 2 : 1;
   };
   std::swap(all.front(), *std::ranges::min_element(all, {}, dimension));
   return all;
@@ -162,9 +168,9 @@ SolidTrimResult trim_wires(const TrimTool& part, const std::vector<TrimTool>& to
   const SharedLimit limit(options);
   SolidTrimResult result;
   result.of_wires = true;
-  const std::vector<TopoDS_Shape> all = in_order(part, tools, operation);
+  const std::vector<WireTool> all = in_order(part, tools, operation);
   try {
-    TopoDS_Shape so_far = all.front();
+    TopoDS_Shape so_far = all.front().shape;
     for (std::size_t i = 1; i < all.size() && result.obstacles.empty(); ++i)
       so_far = guarded("combining wires", [&] {
         return combined_wires(so_far, all[i], operation, limit.remaining_alone(), result);

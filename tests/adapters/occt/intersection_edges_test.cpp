@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -23,6 +26,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
 
 #include "adapters/occt/intersection.h"
 
@@ -150,6 +155,30 @@ TEST(CommonShape, HoldsLoopsOfAMillionth) {
   const Parts parts = common_of(cone, cylinder);
   EXPECT_GE(parts.wires, 2);  // and the curve in which the cylinder leaves the cone
   EXPECT_EQ(parts.closed, 1);
+}
+
+// No other face says where they end.
+TEST(JoinedIntersection, OfSheetsHasTheBorderOfTheirCommonRegion) {
+  const gp_Pln level(gp_Pnt(), gp_Dir(0, 0, 1));
+  const TopoDS_Shape square = BRepBuilderAPI_MakeFace(level, 0, 4, 0, 4).Face();
+  const TopoDS_Shape other = BRepBuilderAPI_MakeFace(level, 1, 6, 2, 6).Face();
+  const Parts corner = common_of(square, other);
+  EXPECT_NEAR(corner.length, 10, 1e-9);
+  EXPECT_EQ(corner.edges, 4);
+  EXPECT_EQ(corner.closed, 1);
+  const gp_Circ round(gp_Ax2(gp_Pnt(2, 2, 0), gp_Dir(0, 0, 1)), 1);
+  const TopoDS_Shape disc =
+      BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(round))).Face();
+  for (const Parts& inside : {common_of(square, disc), common_of(disc, square)}) {
+    EXPECT_NEAR(inside.length, 2 * pi, 1e-9);
+    EXPECT_EQ(inside.edges, 1);
+  }
+  EXPECT_NEAR(common_of(square, square).length, 16, 1e-9);
+  // Two of its edges lie on edges of the box.
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, -3), gp_Pnt(5, 5, 0)).Shape();
+  const Parts on_box = common_of(box, square);
+  EXPECT_NEAR(on_box.length, 16, 1e-9);
+  EXPECT_EQ(on_box.edges, 4);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include <TopExp_Explorer.hxx>
+
 #include "plugin/cli/arguments/hidden.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/commands/intersect/intersection_picture.h"
@@ -87,9 +89,12 @@ int write_outputs(const Input& a, const Input& b, const std::string& title,
   // All that may fail or be interrupted comes before the first file is written.
   const IntersectionCounts counts = counts_of(a, result.found);
   std::optional<occt::Model> model;
-  const bool unwritten = !options.output.empty() && !counts.has_shape();
-  if (!options.output.empty() && !unwritten)
-    model = given.joined ? joined_model(a, b, result.found) : paired_model(a, b, result.found);
+  if (!options.output.empty() && given.joined)
+    model = joined_model(a, b, result.found);
+  else if (!options.output.empty() && counts.has_shape())
+    model = paired_model(a, b, result.found);
+  if (model && !TopExp_Explorer(model->shape(), TopAbs_VERTEX).More()) model.reset();
+  const bool unwritten = !options.output.empty() && !model;
   const std::vector<PictureFile> pictures =
       picture_files(options, [&] { return intersection_picture(a, b, result.found); });
   stop_if_interrupted();

@@ -218,7 +218,7 @@ std::string intersection_text(const Input& a, const Input& b, const std::string&
   if (&a == &b) text << reports::verdict_of(found) << ", ";
   text << to_string(stated(found.status)) << ", " << counts_text(counts) << ", "
        << seconds_text(times.seconds) << "\n";
-  if (counts.curves > 1)
+  if (counts.curves > 1 || counts.overlaps > 0)
     text << joined_text(reports::facts_of(occt::compound_of(found, a.faces, b.faces)));
   const PairNames names(a, b);
   for (const occt::FaceIntersection& pair : found.pairs) list_findings(a, names, pair, text);

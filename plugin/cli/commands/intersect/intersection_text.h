@@ -24,7 +24,7 @@ struct IntersectionCounts {
   std::size_t unresolved = 0;
 
   bool any() const { return curves + points + overlaps + contacts > 0; }
-  bool has_shape() const { return curves + points > 0; }  ///< that a model file can hold
+  bool has_shape() const { return curves + points > 0; }  ///< that a file of pairs can hold
 };
 IntersectionCounts counts_of(const Input& a, const occt::ShapeIntersection& found);
 
