@@ -6,8 +6,9 @@
 #include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <map>
+#include <mutex>
 #include <string>
 
 #include "core/base/disjoint_sets.h"
@@ -113,16 +114,19 @@ class Judge {
         box = joined(box, {points_[index(corner)], points_[index(corner)]});
       boxes.push_back(box);
     }
-    const BoxTree tree(boxes);
-    std::size_t asked = 0;
-    tree.for_each_meeting(tree, [&](int i, int j) {
-      if (ask_ && ++asked % kAskAfter == 0) ask_();
-      if (i >= j || flat_[index(i)] || flat_[index(j)] ||
+    std::atomic<std::size_t> asked = 0;
+    BoxTree(boxes).for_each_pair([&](int i, int j) {
+      if (ask_ && ++asked % kAskAfter == 0) {
+        const std::lock_guard guard(told_);
+        ask_();
+      }
+      if (flat_[index(i)] || flat_[index(j)] ||
           !cross_beyond(triangles_[index(i)], triangles_[index(j)]))
         return;
+      const std::lock_guard guard(told_);
       ++found_.crossings;
-      if (crossing_) crossing_(i, j);
-      list({i, j});
+      if (crossing_) crossing_(std::min(i, j), std::max(i, j));
+      list({std::min(i, j), std::max(i, j)});
     });
     std::ranges::sort_heap(found_.crossing_pairs);
   }
@@ -169,6 +173,7 @@ class Judge {
   const std::function<void()>& ask_;
   const std::function<void(int, int)>& crossing_;
   std::vector<char> flat_;
+  std::mutex told_;  // one crossing at a time
   MeshVerdict found_;
 };
 

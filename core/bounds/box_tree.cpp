@@ -105,4 +105,24 @@ void BoxTree::for_each_meeting(const BoxTree& other,
   if (!nodes_.empty() && !other.nodes_.empty()) descend(*this, 0, other, 0, found);
 }
 
+void BoxTree::for_each_pair(const std::function<void(int, int)>& found) const {
+  if (!nodes_.empty()) pair_below(0, found);
+}
+
+// Pairs of the left half, of the right one, and of a box of each.
+void BoxTree::pair_below(int index, const std::function<void(int, int)>& found) const {
+  const Node& node = this->node(index);
+  if (node.item >= 0) return;
+  const auto pair_part = [&](std::size_t part) {
+    if (part == 0) descend(*this, node.left, *this, node.right, found);
+    if (part == 1) pair_below(node.left, found);
+    if (part == 2) pair_below(node.right, found);
+  };
+  if (node.right - index > kAlone) {  // the left half has half as many boxes
+    parallel_for(3, 1, pair_part);
+  } else {
+    for (std::size_t part = 0; part < 3; ++part) pair_part(part);
+  }
+}
+
 }  // namespace blossom

@@ -71,6 +71,10 @@ class BoxTree {
   /// Calls `found(i, j)` for every box i of this and j of the other that meet.
   void for_each_meeting(const BoxTree& other, const std::function<void(int, int)>& found) const;
 
+  /// Calls `found(i, j)` once for every two boxes of this that meet, in any order and by several
+  /// threads at the same time.
+  void for_each_pair(const std::function<void(int, int)>& found) const;
+
   /// Calls `visit(i, entry)` for the boxes that a line meets, nearer parts of the tree first.
   /// visit     returns the parameter up to which boxes are still wanted
   template <class Visit>
@@ -95,6 +99,7 @@ class BoxTree {
 
   struct Building;
   void build(Building& of, int index, int first, int last);
+  void pair_below(int index, const std::function<void(int, int)>& found) const;
   static void descend(const BoxTree& a, int i, const BoxTree& b, int j,
                       const std::function<void(int, int)>& found);
 

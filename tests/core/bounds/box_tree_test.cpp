@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <mutex>
 #include <set>
 
 #include "tests/support/shapes.h"
@@ -47,6 +49,22 @@ TEST(LineProbe, MeetsABoxWhoseSideItRunsIn) {
 }
 
 class BoxTreeProperty : public ::testing::TestWithParam<int> {};
+
+TEST_P(BoxTreeProperty, PairsEachTwoBoxesThatMeetOnce) {
+  auto random = seeded(GetParam());
+  const std::vector<Box> boxes = random_boxes(random, 1 + 300 * GetParam());
+  std::mutex told;
+  std::multiset<std::array<int, 2>> found;
+  BoxTree(boxes).for_each_pair([&](int i, int j) {
+    const std::lock_guard guard(told);
+    found.insert({std::min(i, j), std::max(i, j)});
+  });
+  std::multiset<std::array<int, 2>> wanted;
+  for (std::size_t j = 0; j < boxes.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (meet(boxes[i], boxes[j])) wanted.insert({static_cast<int>(i), static_cast<int>(j)});
+  EXPECT_EQ(found, wanted);
+}
 
 TEST_P(BoxTreeProperty, VisitsAllBoxesAlongALine) {
   auto random = seeded(GetParam());
