@@ -14,8 +14,10 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -53,6 +55,20 @@ TopoDS_Shape ball(double x, double y, double z, double radius) {
 TopoDS_Shape rod(double x, double y, double z, double radius, double height) {
   const gp_Ax2 axis(gp_Pnt(x, y, z), gp_Dir(0, 0, 1));
   return BRepPrimAPI_MakeCylinder(axis, radius, height).Shape();
+}
+
+TopoDS_Shape twisted_loft() {
+  BRepOffsetAPI_ThruSections loft(true, true);
+  for (int k = 0; k < 3; ++k) {
+    BRepBuilderAPI_MakePolygon section;
+    for (int i = 0; i < 4; ++i) {
+      const double radius = 8 + 1.6 * std::sin(5 * i + 3 * k), angle = 0.5 * pi * i + 0.1 * k;
+      section.Add(gp_Pnt(radius * std::cos(angle), radius * std::sin(angle), 10 * k));
+    }
+    section.Close();
+    loft.AddWire(section.Wire());
+  }
+  return loft.Shape();
 }
 
 using Parts = std::vector<std::pair<std::string, TopoDS_Shape>>;
@@ -248,10 +264,20 @@ TEST_F(ClashCommand, EqualPartsReachIntoEachOtherByNoMoreThanTheTolerance) {
       file_of({{"rod", rod(0, 0, 0, 3, 9)}, {"box", box(9, 0, 0, 5, 4, 3)}}, "new.step");
   const json report = report_of({"clash", a, b});
   EXPECT_EQ(report["counts"]["equal"], 2);
-  for (const json& pair : report["pairs"])
-    if (pair["relation"] == "equal") EXPECT_LE(pair["common"]["depth"][1], 1e-7);
+  for (const json& pair : report["pairs"]) {
+    if (pair["relation"] != "equal") continue;
+    EXPECT_LE(pair["common"]["depth"][1], 1e-7);
+  }
   const Finished run = blossom({"clash", a, b});
   EXPECT_EQ(run.out.find("deepest"), std::string::npos) << run.out;
+}
+
+// Its faces are told from each other within tolerance only.
+TEST_F(ClashCommand, KnowsAPartThatIsThereTwice) {
+  const std::string file = file_of({{"loft", twisted_loft()}}, "loft.step");
+  const json report = report_of({"clash", file, file});
+  EXPECT_EQ(report["status"], "complete");
+  EXPECT_EQ(report["counts"]["equal"], 1);
 }
 
 TEST_F(ClashCommand, ComparesPartsOfTwoModelsWithEachOther) {
