@@ -270,6 +270,9 @@ class BodyRelations {
   }
 
   BodyPair related(std::size_t i, std::size_t j, const ShapeMeeting& boundaries) {
+    const Body &body_a = a_.bodies[i], &body_b = b_.bodies[j];
+    if (body_a.is_solid() && body_a.shape.IsEqual(body_b.shape))  // as a part that is there twice
+      return {i, j, Relation::Equal, Status::Complete};
     const bool alone = a_.bodies.size() == 1 && b_.bodies.size() == 1;
     if (limit_.is_reached()) return {i, j, Relation::Unknown, Status::Stopped};
     const ShapeMeeting met =
