@@ -278,21 +278,30 @@ TopoDS_Shape chamfered_angle() {
 // What is cut off along both is what is cut off along the one or the other.
 TEST(FilletCorner, OfTwoNeighboursAmongFourEdgesIsAMitre) {
   const TopoDS_Shape shape = chamfered_angle();
-  const auto two = edges_where(shape, [](const EdgeFacts& each) {
-    return distance(each.middle, Vec3{0, 10, 8}) < 1e-6 ||
-           distance(each.middle, Vec3{1, 1, 9}) < 1e-6;
-  });
-  ASSERT_EQ(two.size(), 2U);
-  const FilletResult made = fillet(shape, two, {.radius = 0.4});
-  expect_sound(made);
-  EXPECT_TRUE(made.notes.empty());
-  const FilletResult one = fillet(shape, {two[0]}, {.radius = 0.4}),
-                     other = fillet(shape, {two[1]}, {.radius = 0.4});
-  ASSERT_EQ(one.solids.size() + other.solids.size(), 2U);
-  GProp_GProps common;
-  BRepGProp::VolumeProperties(
-      BRepAlgoAPI_Common(one.solids.front().solid, other.solids.front().solid).Shape(), common);
-  EXPECT_NEAR(made.solids.front().volume, common.Mass(), 1e-6);
+  // Two sides of a chamfer; and an upright edge with the foot of a chamfer, of which the one comes
+  // to the other chamfer just where the other leaves it.
+  const std::vector<std::array<Vec3, 2>> pairs{{Vec3{0, 10, 8}, Vec3{1, 1, 9}},
+                                               {Vec3{0, 0, 4}, Vec3{15, 0, 8}}};
+  for (const auto& middles : pairs) {
+    std::vector<FilletResult> singles;
+    std::vector<int> two;
+    for (const Vec3& middle : middles) {
+      two.push_back(edges_where(shape, [&](const EdgeFacts& each) {
+                      return distance(each.middle, middle) < 1e-6;
+                    }).at(0));
+      singles.push_back(fillet(shape, {two.back()}, {.radius = 0.4}));
+      ASSERT_EQ(singles.back().solids.size(), 1U);
+    }
+    const FilletResult made = fillet(shape, two, {.radius = 0.4});
+    expect_sound(made);
+    EXPECT_TRUE(made.notes.empty());
+    GProp_GProps common;
+    BRepGProp::VolumeProperties(
+        BRepAlgoAPI_Common(singles[0].solids.front().solid, singles[1].solids.front().solid)
+            .Shape(),
+        common);
+    EXPECT_NEAR(made.solids.front().volume, common.Mass(), 1e-6);
+  }
 }
 
 // Concave edges come first where two of either kind alternate; the chamfered rim goes on over their

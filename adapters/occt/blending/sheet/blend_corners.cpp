@@ -229,13 +229,19 @@ BlendSheet::MitreSide BlendSheet::mitre_over_face(const MitreContact& a, const M
     return foot;
   };
   const TopoDS_Vertex from_a = leave(a, beside_a), from_b = leave(b, beside_b);
+  const double reach = kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(from_a),
+                                              BRep_Tool::Tolerance(from_b)});
   const auto met = mitre_through(strip_of(a.half).strip, part_near(a.half, end_of(a.half).t),
                                  strip_of(b.half).strip, part_near(b.half, end_of(b.half).t),
-                                 body_.face(face), point_of(body_.vertex(a.half)));
+                                 body_.face(face), point_of(body_.vertex(a.half)), reach);
   if (!met)
     refuse(a.half, FilletFault::Corner,
            "its strip and that of edge " + std::to_string(b.half.edge) + " do not meet over face " +
                std::to_string(face));
+  // The one may come to the face where the other is already.
+  for (const TopoDS_Vertex& foot : {from_a, from_b})
+    if (distance(point_of(foot), met->point) <= reach)
+      return {foot, {from_a, from_b}, {face, face}};
   return {new_vertex(met->point), {from_a, from_b}, {face, face}};
 }
 

@@ -16,7 +16,7 @@
 namespace blossom::occt {
 namespace {
 
-// Edges at a vertex: where there are more, what the first fillet leaves of the vertex is no
+// Sharp edges at a vertex: where there are more, what the first fillet leaves of the vertex is no
 // simpler, and all are joined in one corner.
 constexpr std::size_t kOrdered = 3;
 constexpr std::size_t kAlternating = 4;  // but for two and two that alternate
@@ -123,7 +123,7 @@ Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOption
             for (Rules* of : {&before_, &before_asked_}) of->emplace_back(edge, each);
         continue;
       }
-      if (ring.size() > kOrdered) {
+      if (of_kind + of_other_kind > kOrdered) {
         for (const int each : others) unite(edge, each);
         continue;
       }

@@ -349,12 +349,17 @@ std::optional<Vec3> common_point(std::array<Footed, 3>& of, Vec3 place) {
   return std::nullopt;
 }
 
-// A place between the contacts of a strip; nothing for others.
+// A place between the contacts of a strip, or beside one by no more than `reach`; nothing for
+// others.
 std::optional<EdgeThrough> between_contacts(const RolledStrip& strip, const Vec2& uv,
-                                            const Vec3& point) {
+                                            const Vec3& point, double reach) {
   const Vec2 tw = strip.along_u ? uv : Vec2{uv[1], uv[0]};
+  const auto contact = [&](std::size_t side) {
+    return vec(strip.contacts[side].curve->Value(tw[0]).XYZ());
+  };
   const double first = strip.contacts[0].w, share = (tw[1] - first) / (strip.contacts[1].w - first);
-  if (share <= 0 || share >= 1) return std::nullopt;
+  const double room = reach / distance(contact(0), contact(1));
+  if (!(share > -room && share < 1 + room)) return std::nullopt;
   return EdgeThrough{0, tw[0], tw[1], point};
 }
 
@@ -365,16 +370,17 @@ std::optional<EdgeThrough> grown_through(const RolledStrip& strip, const Interva
                                          const Vec3& vertex) {
   std::array of{footed(strip, part), footed(a), footed(b)};
   const auto place = common_point(of, vertex);
-  return place ? between_contacts(strip, *of[0].near, *place) : std::nullopt;
+  return place ? between_contacts(strip, *of[0].near, *place, 0) : std::nullopt;
 }
 
 std::optional<EdgeThrough> mitre_through(const RolledStrip& strip, const Interval& part,
                                          const RolledStrip& other, const Interval& other_part,
-                                         const TopoDS_Face& face, const Vec3& vertex) {
+                                         const TopoDS_Face& face, const Vec3& vertex,
+                                         double reach) {
   std::array of{footed(strip, part), footed(other, other_part), footed(face)};
   const auto place = common_point(of, vertex);
-  if (!place || !between_contacts(other, *of[1].near, *place)) return std::nullopt;
-  return between_contacts(strip, *of[0].near, *place);
+  if (!place || !between_contacts(other, *of[1].near, *place, reach)) return std::nullopt;
+  return between_contacts(strip, *of[0].near, *place, reach);
 }
 
 namespace {

@@ -88,11 +88,11 @@ std::optional<EdgeThrough> grown_through(const RolledStrip& strip, const Interva
                                          const Vec3& vertex);
 
 /// Where two strips that run into each other leave a face that both come to: the common point of
-/// the three surfaces nearest to the vertex, between the contacts of both. By the parameters of the
-/// first.
+/// the three surfaces nearest to the vertex, between the contacts of both, or beside one by no more
+/// than `reach`. By the parameters of the first.
 std::optional<EdgeThrough> mitre_through(const RolledStrip& strip, const Interval& part,
                                          const RolledStrip& other, const Interval& other_part,
-                                         const TopoDS_Face& face, const Vec3& vertex);
+                                         const TopoDS_Face& face, const Vec3& vertex, double reach);
 
 /// The piece of the curve in which the surfaces of two faces meet; `on_strip` is in the parameters
 /// of the wall.
