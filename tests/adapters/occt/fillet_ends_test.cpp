@@ -430,6 +430,27 @@ TEST(FilletEnds, AtASmoothBorderBetweenPiecesOfOnePlane) {
     expect_change(fillet(shape, edges, {.radius = r}), -27 * kCut * r * r, 1e-9);
 }
 
+// A branch as thick as its pipe: where both touch, strips of the edges above and below narrow to
+// one point. Together they add what each adds alone.
+TEST(FilletOfABranch, StripsOfBothSidesEndInOnePoint) {
+  const TopoDS_Shape pipe =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -25), gp_Dir(0, 0, 1)), 10, 50).Shape();
+  const TopoDS_Shape branch =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)), 10, 30).Shape();
+  const TopoDS_Shape shape = BRepAlgoAPI_Fuse(pipe, branch).Shape();
+  const auto more = [&](const std::vector<int>& edges) {
+    const FilletResult made = fillet(shape, edges, {.radius = 1});
+    testing::expect_sound(made);
+    return made.solids.empty() ? 0 : made.solids.front().volume - made.volume_before;
+  };
+  const auto above = edges_where(shape, EdgeKind::Concave, [](const Vec3&at) { return at[2] > 0; }),
+             below = edges_where(shape, EdgeKind::Concave, [](const Vec3&at) { return at[2] < 0; });
+  ASSERT_FALSE(above.empty() || below.empty());
+  std::vector<int> all = above;
+  all.insert(all.end(), below.begin(), below.end());
+  EXPECT_NEAR(more(all), more(above) + more(below), 1e-7);
+}
+
 // What strips of radius r add round the foot of three upright sides and a slope of 15 over 20, and
 // take away inside out. The ball touches the slope lower than the sides, so that strips of both
 // meet in mitres.

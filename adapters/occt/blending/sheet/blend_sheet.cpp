@@ -193,9 +193,11 @@ void BlendSheet::end_at(const DirectedEdge& half) {
   std::vector<std::size_t> filleted;
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (is_filleted(ring[i].half.edge)) filleted.push_back(i);
-  for (const std::size_t i : filleted) done_.push_back(ring[i].half);
+  std::vector<DirectedEdge> ended;
+  for (const std::size_t i : filleted) ended.push_back(ring[i].half);
+  done_.insert(done_.end(), ended.begin(), ended.end());
   if (!passed.empty()) return pass(ring, passed);
-  if (filleted.size() == 1 && end_in_point(ring)) return;
+  if (end_in_point(ended)) return;
   if (filleted.size() == 1) return blunt_unless({half}, [&] { cap(ring); });
   if (filleted.size() == 2) {
     // So that a face which both have in common is to the left of the first.
@@ -338,28 +340,36 @@ TopoDS_Edge BlendSheet::apex_edge(const PlacedStrip& of, std::size_t side,
   return TopoDS::Edge(edge.Oriented(side == 0 ? TopAbs_REVERSED : TopAbs_FORWARD));
 }
 
-// A strip that narrows to a point in the vertex ends there, and nothing beside it changes. False,
-// and nothing is done, if it does not.
-bool BlendSheet::end_in_point(const Ring& ring) {
-  const DirectedEdge half = ring.front().half;
+// Strips that narrow to a point in their vertex end there, and nothing beside them changes. False,
+// and nothing is done, if one of them does not.
+bool BlendSheet::end_in_point(const std::vector<DirectedEdge>& halves) {
+  std::vector<NarrowEnd> points;
+  for (const DirectedEdge& half : halves) {
+    const auto point = narrow_end(body_, strip_of(half).strip, half, tolerance_);
+    if (!point) return false;
+    points.push_back(*point);
+  }
+  for (std::size_t i = 0; i < halves.size(); ++i) end_in_point(halves[i], points[i]);
+  return true;
+}
+
+void BlendSheet::end_in_point(const DirectedEdge& half, const NarrowEnd& point) {
   const RolledStrip& strip = strip_of(half).strip;
   const TopoDS_Vertex vertex = body_.vertex(half);
-  const auto point = narrow_end(body_, strip, half, tolerance_);
-  if (!point) return false;
+  const Ring ring = body_.round(half);
   StripEnd& end = end_of(half);
-  end.t = {point->t, point->t};
+  end.t = {point.t, point.t};
   end.vertices = {vertex, vertex};
   end.over[left_side(half)] = ring[1].half.edge;
   end.over[right_side(half)] = ring.back().half.edge;
   for (const std::size_t side : {0U, 1U})
-    cover(vertex, contact_point(strip, side, point->t), Precision::Confusion());
+    cover(vertex, contact_point(strip, side, point.t), Precision::Confusion());
   border_.vertices.push_back(vertex);
   const bool forward = strip.contacts[0].w < strip.contacts[1].w;
   const Interval across{strip.contacts[forward ? 0 : 1].w, strip.contacts[forward ? 1 : 0].w};
   end.path = {
-      {point_edge(vertex, strip.section_line(point->t), across, strip.bare_face(), point->off),
+      {point_edge(vertex, strip.section_line(point.t), across, strip.bare_face(), point.off),
        forward}};
-  return true;
 }
 
 // The contact edges and the face of a strip whose ends are known.

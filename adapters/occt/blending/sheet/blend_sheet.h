@@ -125,7 +125,8 @@ class BlendSheet {
                const std::function<bool(const std::string& why)>& other);
   bool is_set_back(const Ring& ring);
   void blunt_unless(const std::vector<DirectedEdge>& halves, const std::function<void()>& ended);
-  bool end_in_point(const Ring& ring);
+  bool end_in_point(const std::vector<DirectedEdge>& halves);
+  void end_in_point(const DirectedEdge& half, const NarrowEnd& point);
   void cap(const Ring& ring);
   bool blunt(const Ring& ring, const std::string& why);
   double wall_t(const Ring& ring);
