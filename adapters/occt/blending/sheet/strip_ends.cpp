@@ -395,6 +395,8 @@ bool BlendSheet::takes_over(const Ring& ring, int taking, int giving, int edge,
   Handle(Geom2d_Curve) on_taking;
   try {
     const SurfaceProjector feet(body_.face(taking), Precision::Confusion());
+    // First, as an image that is fitted to a curve which lies elsewhere takes long.
+    if (!CurveBeside(curve, piece, feet).is_one_run(reach, reach)) return false;
     const ChartImage image = image_of(curve, piece, feet, std::nullopt, reach);
     if (image.deviation > reach) return false;
     on_taking = image.chart;
