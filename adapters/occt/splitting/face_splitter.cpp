@@ -314,6 +314,21 @@ int FaceSplitter::node_near(const Vec2& point, double reach) {
   return static_cast<int>(vertices_.size()) - 1;
 }
 
+// Whether a cut is in the node in which it ends, at a parameter and on the way from there. What
+// ends on a wire ends in a place of that.
+bool FaceSplitter::is_in_end_node(const LiftedCut& lifted_cut, double at) const {
+  const FaceCut& cut = cuts_[static_cast<std::size_t>(lifted_cut.cut)];
+  const Interval domain = lifted_cut.curve.domain();
+  for (const bool last : {false, true}) {
+    const double end = last ? domain.to : domain.from;
+    if (is_near(lifted_cut.curve, end, at, cut.node_reach[last]) && !has_stop(lifted_cut, end))
+      return true;
+  }
+  return false;
+}
+
+// Inside of a node in which both end cuts are known to be near each other, and no more: how often
+// they cross there is by chance.
 void FaceSplitter::add_crossings() {
   for (std::size_t i = 0; i < lifted_cuts_.size(); ++i)
     for (std::size_t k = i + 1; k < lifted_cuts_.size(); ++k) {
@@ -324,6 +339,9 @@ void FaceSplitter::add_crossings() {
       const CutCrossings common =
           cut_crossings(a.curve, b.curve, widest, tangency_length(trims_, widest));
       for (const CutCrossing& crossing : common.nodes) {
+        if (std::ranges::all_of(crossing.a, [&](double t) { return is_in_end_node(a, t); }) &&
+            std::ranges::all_of(crossing.b, [&](double t) { return is_in_end_node(b, t); }))
+          continue;
         const int node = node_near(crossing.point);
         Vertex& at = vertices_[static_cast<std::size_t>(node)];
         at.uncertainty = std::max(at.uncertainty, crossing.uncertainty);

@@ -177,6 +177,7 @@ class FaceSplitter {
   void add_end_stop(LiftedCut& lifted_cut, double end);
   bool add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meeting);
   bool has_stop(const LiftedCut& lifted_cut, double at) const;
+  bool is_in_end_node(const LiftedCut& lifted_cut, double at) const;
   void add_crossings();
   void finish_stops(LiftedCut& lifted_cut);
   void tidy_stops(LiftedCut& lifted_cut, double reach) const;

@@ -16,6 +16,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
@@ -268,6 +269,21 @@ TEST(NearContacts, SolidsThatTheirTolerancesCoverAreLeftOutAndCounted) {
   EXPECT_EQ(left_out, 1);
   EXPECT_EQ(solids_of(faces_of_cube(1e-6, 1e-6), obstacle).size(), 1u);  // nobody would be told
   EXPECT_EQ(obstacle, "");
+}
+
+// A rod through a ring of its radius meets it in two nodes. Off them by much less than the
+// tolerance its curves end in different places of a node, and run to and fro there.
+TEST(NearContacts, CurvesMayCrossByChanceInTheNodeInWhichTheyEnd) {
+  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(2., 0.5).Shape();
+  const auto common = [&](double off) {
+    const gp_Ax2 along(gp_Pnt(0, 0, off), gp_Dir(0, 1, 0));
+    const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(along, 0.5, 8).Shape();
+    const SolidTrimResult made =
+        trim_solids(trim_tool(ring), {trim_tool(rod)}, SolidOperation::Common);
+    EXPECT_EQ(made.obstacles.empty() ? std::string() : made.obstacles.front(), "");
+    return made.total.result;
+  };
+  EXPECT_NEAR(common(1e-9), common(0), 1e-6);
 }
 
 }  // namespace
