@@ -7,6 +7,8 @@
 
 #include <BRep_Builder.hxx>
 #include <DBRep.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 
 #include "adapters/occt/base/compounds.h"
@@ -55,7 +57,9 @@ std::string answer_to_blsolid(const Words& words) {
   if (!made.obstacles.empty()) throw occt::Failure(reports::causes(made).front());
   if (made.of_wires) {
     DBRep::Set(words[0].c_str(), made.wires);
-    return reports::counted_wires(made) + " " + to_string(made.status) + " " +
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(made.wires, TopAbs_EDGE, edges);
+    return std::to_string(edges.Extent()) + " " + to_string(made.status) + " " +
            tcl_number(made.lengths.result);
   }
   DBRep::Set(words[0].c_str(),

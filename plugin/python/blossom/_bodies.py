@@ -29,8 +29,8 @@ class Trim(Result):
 
 
 class Solid(Result):
-    """Combined solids, or sheets; a list of what came out, each with `faces` and, of solids,
-    `voids`."""
+    """Combined solids, sheets or wires; a list of what came out, each with `faces` and, of solids,
+    `voids`; all wires are one, with `edges` and `vertices` off them."""
 
     @property
     def operation(self) -> str:
@@ -57,12 +57,20 @@ class Solid(Result):
         return dict(self._told()["areas"])
 
     @property
+    def lengths(self) -> Dict[str, float]:
+        """Of wires among the inputs, and of those that came out: `part`, `tools`, `result`."""
+        return dict(self._told()["wires"]["lengths"])
+
+    @property
     def obstacles(self) -> List[str]:
         """Why there is no result; none if it can be used."""
         return list(self._told()["obstacles"])
 
     def _items(self) -> List[Any]:
-        return list(self._told()["solids"]) + list(self._told()["sheets"])
+        told = self._told()
+        counts = {kind: told["wires"][kind] for kind in ("edges", "vertices")}
+        wires = [counts] if any(counts.values()) else []
+        return list(told["solids"]) + list(told["sheets"]) + wires
 
     def _summary(self) -> str:
         kind = "sheet" if self._told()["sheets"] else "solid"

@@ -15,6 +15,10 @@ test {
   set answer [blsolid r common sheet a]
   claim "a sheet is cut by a solid" [expr {[lrange $answer 0 1] eq "1 complete" && [near [lindex $answer 2] 100]}]
   claim "a sheet is no solid" [string match "*sheet is no closed solid*" [message_of blsolid r cut a sheet]]
+  polyline wire -5 5 5 5 5 5 5 15 5
+  set answer [blsolid r cut wire a]
+  claim "a wire is cut by a solid" [expr {[lrange $answer 0 1] eq "2 complete" && [near [lindex $answer 2] 10]}]
+  claim "and takes nothing off it" [string match "*wires take nothing off*" [message_of blsolid r cut a wire]]
   claim "an operation that is none is refused" \
       [string match "*'minus' is none of cut*" [message_of blsolid r minus a b]]
 }

@@ -189,12 +189,19 @@ class Arguments(unittest.TestCase):
         brep = blossom.intersect(FLOOR, WALL).to_brep()
         self.assertIsInstance(brep, bytes)
         self.assertIn(b"CASCADE Topology V", brep)
-        line = blossom.curve([(0, 0, 0), (9, 9, 9)])
-        for operation in ("cut", "common", "fuse", "split"):
-            with self.assertRaisesRegex(ValueError, "there is no face in it"):
-                line.solid(operation, WALL)
         with self.assertRaisesRegex(ValueError, "^a: there is no face in it$"):
             blossom.intersect(brep, WALL)
+
+    def test_a_line_is_cut_by_faces(self):
+        line = blossom.curve([(0, 1, 1), (4, 1, 1)])
+        wall = plane((1, 0, 0), (0, 3, 0), (0, 0, 3))
+        for operation, edges in (("cut", 2), ("common", 0), ("split", 2)):
+            made = line.solid(operation, wall)
+            self.assertEqual(made.obstacles, [])
+            self.assertEqual(sum(item["edges"] for item in made), edges)
+            self.assertAlmostEqual(made.lengths["result"], 2.0 * edges, places=7)
+        with self.assertRaisesRegex(ValueError, "wires take nothing off faces and solids"):
+            blossom.solid("cut", wall, line)
 
     def test_forms_agree(self):
         lengths = [
