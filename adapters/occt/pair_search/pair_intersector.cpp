@@ -141,11 +141,11 @@ void PairIntersector::search(FaceIntersection& result) const {
     drop_along_edges(result.found, touches, known, options_.tolerances.point);
     weaken_along_trims(a.trims, b.trims, within, result.found);
     add_touching(a, b, touching, options_.tolerances.point, result.found, touches);
+    if (&a != &b) add_pole_contacts(i, j, result.found, touches);
   }
   result.chains =
       chains_over_seams(result.found.curves, a.surface, b.surface, options_.tolerances.point);
   if (edges.empty()) add_edge_contacts(shape_a, shape_b, result.found, touches);
-  if (&a != &b) add_pole_contacts(i, j, result.found, touches);
   if (shared_ == Shared::Listed) {
     add_edges(edges, result);
   } else if (&a != &b) {
