@@ -21,7 +21,7 @@
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/edge_sides.h"
 #include "adapters/occt/queries/solid_rays.h"
-#include "adapters/occt/solids/solid_pieces.h"
+#include "adapters/occt/solids/solid_divisions.h"
 #include "adapters/occt/splitting/trim_sides.h"
 #include "adapters/occt/trim.h"
 

@@ -170,7 +170,7 @@ std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& t
 /// Points within the options' tolerance are one, and whatever lies nearer to each other than the
 /// two solids state to be uncertain (solids/tolerances/stated_tolerance.h): no walls or voids
 /// thinner than that are made, and the status is Tolerance. Where the two cannot be divided so,
-/// there are two more looks at them, at another tolerance that is told (solids/solid_pieces.h).
+/// there are two more looks at them, at another tolerance that is told (solids/solid_divisions.h).
 ///
 /// Tolerances of edges and vertices that are not true are not used: see with_true_tolerances.
 ///

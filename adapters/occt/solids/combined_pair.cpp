@@ -19,7 +19,7 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/solids/clear_charts.h"
 #include "adapters/occt/solids/sheets.h"
-#include "adapters/occt/solids/solid_pieces.h"
+#include "adapters/occt/solids/solid_divisions.h"
 #include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/solids/validity/solid_validity.h"
 #include "core/base/work_limit.h"

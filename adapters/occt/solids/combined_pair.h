@@ -26,7 +26,7 @@ inline constexpr const char* kInvalidFace = "a face is not valid by BRepCheck";
 ///
 /// Solids and the faces that are new in them are checked by BRepCheck.
 ///
-/// What stands against one division (solid_pieces.h) may not stand against the next one.
+/// What stands against one division (solid_divisions.h) may not stand against the next one.
 ///
 /// part, tool   closed solids; the tool may be a sheet, which splits whatever the operation is; or
 ///              the part is one, of which faces are chosen alone

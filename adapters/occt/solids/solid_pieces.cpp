@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/solids/solid_pieces.h"
-#include "adapters/occt/base/kept_tolerances.h"
 
 #include <algorithm>
 #include <array>
@@ -15,13 +14,12 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/kept_tolerances.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/curve_edges.h"
 #include "adapters/occt/solids/sheet_ends.h"
 #include "adapters/occt/solids/solid_loose_ends.h"
-#include "adapters/occt/solids/tolerances/contact_scale.h"
-#include "adapters/occt/solids/tolerances/stated_tolerance.h"
 #include "adapters/occt/solids/touching_curves.h"
 #include "adapters/occt/splitting/common_edges.h"
 #include "adapters/occt/splitting/edge_images.h"
@@ -434,85 +432,18 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
   return result;
 }
 
-// A look at the faces, and how it is read.
-struct Reading {
-  std::size_t look = 0;
-  EdgesLie lying = EdgesLie::WhereFacesMeet;
-};
-
-// What is not there to be near is read first, at both tolerances.
-constexpr std::array<Reading, 6> kReadings{{{0, EdgesLie::WhereFacesMeet},
-                                            {1, EdgesLie::WhereFacesMeet},
-                                            {0, EdgesLie::Nearby},
-                                            {1, EdgesLie::Nearby},
-                                            {2, EdgesLie::WhereFacesMeet},
-                                            {2, EdgesLie::Nearby}}};
-
 }  // namespace
 
-SolidDivisions::SolidDivisions(const TrimTool& a, const TrimTool& b, double stated,
-                               const IntersectionOptions& options)
-    : a_(a),
-      b_(b),
-      options_(options),
-      stated_(std::max(stated, stated_tolerance(a, b, options.tolerances.point))) {}
-
-IntersectionOptions SolidDivisions::left(double tolerance) const {
-  IntersectionOptions rest = limit_.remaining();
-  rest.threads = options_.threads;
-  rest.tolerances.point = tolerance;
-  return rest;
-}
-
-double SolidDivisions::other_tolerance() {
-  const double point = options_.tolerances.point;
-  const double reach = kLooseReach * kLooseReach * point;
-  if (!other_)
-    other_ = stated_ != point ? point : contact_scale(contact_gaps(a_, b_, reach, limit_), point);
-  return *other_;
-}
-
-const SolidDivisions::Look* SolidDivisions::look(std::size_t number) {
-  std::optional<Look>& look = looks_[number];
-  if (look) return &*look;
-  const double tolerance = number == 0 ? stated_ : other_tolerance();
-  if (number == 1 && tolerance == stated_) return nullptr;
-  const Extent extent = number < 2 ? Extent::Extended : Extent::Trims;
-  look = Look{tolerance, intersect(a_.faces, b_.faces, left(tolerance), extent)};
-  return &*look;
-}
-
-void SolidDivisions::tell_tolerance(double tolerance, SolidPieces& pieces) const {
-  if (tolerance == stated_) return;
-  std::ostringstream text;
-  if (stated_ > tolerance)
-    text << "what the inputs state to be uncertain, up to " << stated_
-         << ", may be apart in the result";
-  else
-    text << "what is nearer to each other than " << tolerance << " counts as one";
-  pieces.thin.push_back(text.str());
-  pieces.status = weaker(pieces.status, Status::Tolerance);
-}
-
-std::optional<SolidPieces> SolidDivisions::next() {
-  const Look* found_in = nullptr;
-  Reading reading;
-  while (found_in == nullptr) {
-    if (readings_ == kReadings.size() || (readings_ > 0 && limit_.is_reached())) return {};
-    reading = kReadings[readings_++];
-    found_in = look(reading.look);
-  }
+SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
+                         EdgesLie lying, const IntersectionOptions& options, Causes causes) {
+  const SharedLimit limit(options);
   Pending untold;
-  SolidPieces found =
-      pieces_of(a_, b_, found_in->faces, reading.lying, left(found_in->tolerance), untold);
-  if (found.obstacles.empty()) {
-    tell_tolerance(found_in->tolerance, found);
-  } else if (readings_ == 1) {  // what stands against others is not told
-    // The search for where cuts break off has no limit of its own.
-    if (limit_.is_reached()) untold.curves.clear();
-    tell(untold, a_, b_, found);
-  }
-  return found;
+  SolidPieces result = pieces_of(a, b, found, lying, options, untold);
+  if (result.obstacles.empty() || causes == Causes::Short) return result;
+  // The search for where cuts break off has no limit of its own.
+  if (limit.is_reached()) untold.curves.clear();
+  tell(untold, a, b, result);
+  return result;
 }
 
 }  // namespace blossom::occt

@@ -8,7 +8,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 
-#include "adapters/occt/solids/solid_pieces.h"
+#include "adapters/occt/solids/solid_divisions.h"
 
 namespace blossom::occt {
 namespace {
