@@ -163,6 +163,11 @@ bool within_slab(const Cell& a, const Cell& b, int points_a, int points_b, doubl
   return slab_holds(a.plane, b, points_b, thickness) || slab_holds(b.plane, a, points_a, thickness);
 }
 
+bool is_halved_first(const Cell& a, const Cell& b) {
+  constexpr double kExtentWeight = 0.02;
+  return a.bend + kExtentWeight * a.extent >= b.bend + kExtentWeight * b.extent;
+}
+
 bool nearly_parallel(const Cell& a, const Cell& b) {
   const auto turn = [](const Cell& c) {
     return norm(c.du.radius) / norm(c.du.middle) + norm(c.dv.radius) / norm(c.dv.middle);

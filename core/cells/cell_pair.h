@@ -32,6 +32,9 @@ bool within_slab(const Cell& a, const Cell& b, int points_a, int points_b, doubl
 /// True if both cells are nearly flat and some of their normals may be parallel.
 bool nearly_parallel(const Cell& a, const Cell& b);
 
+/// Whether the first of two cells bends no less; size counts a little.
+bool is_halved_first(const Cell& a, const Cell& b);
+
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 
 /// The minor of J that leaves one column out, over a pair of cells.

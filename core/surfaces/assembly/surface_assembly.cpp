@@ -308,14 +308,6 @@ class Assembly {
     return gap;
   }
 
-  static PlaceKind kind_of(const ContactChain& point) {
-    const std::size_t arms = point.arm_count();
-    if (arms == 0) return PlaceKind::Touch;
-    if (point.is_node()) return PlaceKind::Node;
-    if (point.straight) return PlaceKind::Tangential;
-    return point.pole ? PlaceKind::Pole : arms == 2 ? PlaceKind::Cusp : PlaceKind::Node;
-  }
-
   void add_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const ContactChain& contact) {
     Place place{PlaceKind::Tangential, {}, {}, kUnbounded, 0, {}};
     place.parameters.fill({kUnbounded, -kUnbounded});
@@ -335,7 +327,7 @@ class Assembly {
     if (!contact.curve) {
       const SurfacePoint centre = surface_point(cells_a, cells_b, origin_, contact.centre);
       const std::size_t arms = contact.arm_count();
-      place.kind = kind_of(contact);
+      place.kind = contact.kind_of_point();
       if (arms == 0 && on_curve(centre.point, true)) place.kind = PlaceKind::Tangential;
       if (arms == 0 && contact.pole && on_curve(centre.point)) place.kind = PlaceKind::Pole;
       const bool touches = contact.centre.gap <= options_.tolerances.point;

@@ -58,6 +58,14 @@ struct ContactChain {
 
   /// Near a border a node of a high order may have but two arms.
   bool is_node() const { return arm_count() > 2 || (high_order && parted); }
+
+  /// Of one that is no curve.
+  PlaceKind kind_of_point() const {
+    if (arm_count() == 0) return PlaceKind::Touch;
+    if (is_node()) return PlaceKind::Node;
+    if (straight) return PlaceKind::Tangential;
+    return pole ? PlaceKind::Pole : arm_count() == 2 ? PlaceKind::Cusp : PlaceKind::Node;
+  }
 };
 
 }  // namespace blossom

@@ -33,7 +33,6 @@ constexpr int kDeepest = 90;             // halvings of a patch: 2^-45 in each d
 constexpr long kMaxStored = 30'000'000;  // control points kept, some 1 GB
 constexpr std::size_t kBatch = 128;      // pairs examined at the same time
 constexpr std::size_t kPairGrain = 4;    // pairs that one thread examines in a row
-constexpr double kExtentWeight = 0.02;   // of a cell's size beside its bend
 
 // Cells of one surface no farther apart than this many of their widths are near each other in it.
 constexpr double kNearDiagonal = 16;
@@ -313,7 +312,7 @@ class Search {
         (finding.verdict == Verdict::Regular &&
          is_thin(a, b, place.tree_a->shape().plane_size(), place.tree_b->shape().plane_size()));
     // Where one cell cannot be halved any more, halves of smaller ones would tell nothing new.
-    if (thin || (halves_a(a, b) ? a : b).depth >= kDeepest)
+    if (thin || (is_halved_first(a, b) ? a : b).depth >= kDeepest)
       keep(pair, thin);
     else
       halve(pair);
@@ -418,13 +417,8 @@ class Search {
       result_.corner_contacts.push_back({place.patch_a, place.patch_b, x});
   }
 
-  // Of two cells the one that bends more; size counts a little. Or else b.
-  static bool halves_a(const Cell& a, const Cell& b) {
-    return a.bend + kExtentWeight * a.extent >= b.bend + kExtentWeight * b.extent;
-  }
-
   void halve(const Pair& pair) {
-    halvings_.push_back({pair, halves_a(cell_a(pair), cell_b(pair))});
+    halvings_.push_back({pair, is_halved_first(cell_a(pair), cell_b(pair))});
   }
 
   // The cells of a batch in the order of its pairs, those of both surfaces at the same time.
