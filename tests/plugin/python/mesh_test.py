@@ -104,7 +104,6 @@ class Meshes(unittest.TestCase):
         self.assertIn("Block", [node.get("name") for node in told["nodes"]])
         self.assertEqual(drilled.to_brep(), before)
 
-    @unittest.skipIf(support.Part is None, support.NO_PART)
     def test_3mf_has_an_object_for_each_part(self):
         rows = [f"v {x + dx} {y} {z}" for dx in (0, 3) for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
         rows += ["g rig:1/Rod/Face1", "f 1 3 2", "g rig:1/Rod/Face2", "f 1 2 4"]
@@ -120,6 +119,7 @@ class Meshes(unittest.TestCase):
             a, b, c = (vertices[triangles[:, k]] for k in range(3))
             self.assertAlmostEqual(np.einsum("ij,ij->", a, np.cross(b, c)) / 6, 1 / 6)
 
+    @unittest.skipIf(support.Part is None, support.NO_PART)
     def test_shapes_of_part_get_no_triangles(self):
         box = support.Part.makeCylinder(8, 40)
         with tempfile.TemporaryDirectory() as folder:
