@@ -13,8 +13,10 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
+#include <ctime>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,10 +36,17 @@ namespace {
 
 constexpr int kPause = 20;  // milliseconds between two questions whether to go on
 
+// Pauses in a row, 3 s, in which a child that reads uses no processor time: it then waits for what
+// never comes, a lock that another thread of the program held when the child was made. Nothing else
+// lets it sleep but the disk, which answers in hundredths of a second. Pauses are counted, not the
+// time, so that a program that is stopped for a while takes no child for stuck.
+constexpr int kPausesOfStuck = 3000 / kPause;
+
 /// What the child tells, in memory of both.
 struct Board {
   char step[4096] = "opening";
   bool finished = false;
+  bool lacks_memory = false;
 };
 
 class SharedBoard {
@@ -61,7 +70,9 @@ class SharedBoard {
 /// A process that ends with its owner at the latest.
 class Child {
  public:
-  explicit Child(pid_t id) : id_(id), handle_(pidfd_open(id, 0)) {}
+  explicit Child(pid_t id) : id_(id), handle_(pidfd_open(id, 0)) {
+    if (clockid_t clock{}; clock_getcpuclockid(id, &clock) == 0) clock_ = clock;
+  }
   ~Child() {
     if (!ended_) {
       kill(id_, SIGKILL);
@@ -72,37 +83,50 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// The signal that ended it; 0 if none did, or another part of the program has waited for it.
-  int wait(const std::function<void()>& stop) {
-    while (!ended_) {
+  /// The signal that ended it; 0 if none did, or another part of the program has waited for it;
+  /// nothing if it is stuck.
+  std::optional<int> wait(const std::function<void()>& stop) {
+    timespec used = processor_time();
+    for (int still = 0; still < kPausesOfStuck;) {
       const pid_t told = waitpid(id_, &status_, WNOHANG);
       ended_ = told == id_ || (told < 0 && errno == ECHILD);
+      if (stop) stop();  // also after its end: what interrupts both is no fault of what is read
       if (ended_) return told == id_ && WIFSIGNALED(status_) ? WTERMSIG(status_) : 0;
       pollfd end{handle_, POLLIN, 0};
-      poll(&end, 1, kPause);
-      if (stop) stop();
+      if (poll(&end, 1, kPause) != 0) continue;
+      const timespec now = processor_time();
+      still = clock_ && now.tv_sec == used.tv_sec && now.tv_nsec == used.tv_nsec ? still + 1 : 0;
+      used = now;
     }
-    return 0;
+    return std::nullopt;
   }
 
  private:
+  timespec processor_time() {
+    timespec used{};
+    if (clock_ && clock_gettime(*clock_, &used) != 0) clock_.reset();
+    return used;
+  }
+
   pid_t id_;
   int handle_, status_ = 0;
+  std::optional<clockid_t> clock_{};
   bool ended_ = false;
 };
 
 void limit(__rlimit_resource resource, rlim_t most) {
   rlimit bounds{};
   if (getrlimit(resource, &bounds) != 0) return;
-  bounds.rlim_cur = std::min(bounds.rlim_max, most);
+  bounds.rlim_cur = std::min(bounds.rlim_cur, most);
   setrlimit(resource, &bounds);
 }
 
-/// What the program does in a crash, and with what is printed, is no business of its child.
+/// What the program does in a crash, and with what is printed, is no business of its child. What
+/// interrupts both, as from a terminal, is for the program, and it ends the child.
 void leave_the_program_alone(rlim_t processor_seconds) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTERM, SIGINT})
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU})
     std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) std::signal(signal, SIG_IGN);
   if (const int nowhere = open("/dev/null", O_RDWR); nowhere >= 0)
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
   limit(RLIMIT_CORE, 0);
@@ -117,14 +141,18 @@ void leave_the_program_alone(rlim_t processor_seconds) {
 using Step = std::function<void(const char* step)>;
 using Reader = std::function<void(const Step&)>;  // says what it does
 
-[[noreturn]] void read_as_child(const Reader& read, rlim_t processor_seconds, Board& board) {
+[[noreturn]] void read_as_child(const Reader& read, rlim_t processor_seconds, pid_t parent,
+                                Board& board) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(0);
   leave_the_program_alone(processor_seconds);
   new (&exchange_lock()) std::recursive_mutex;  // whose owner there is not here
   try {
     read([&board](const char* step) {
       board.step[std::string_view(step).copy(board.step, sizeof(board.step) - 1)] = '\0';
     });
-  } catch (...) {  // who reads it after this is told the same
+  } catch (...) {  // who reads it after this is told the same, but has no limit of memory
+    board.lacks_memory = is_lack_of_memory();
   }
   board.finished = true;
   _exit(0);
@@ -137,19 +165,24 @@ struct Rehearsal {
   std::string step{};    ///< that it was at
 };
 
+/// Where no process can be made, or the one that is made gets stuck, it is as if reading had ended.
+/// throws   std::bad_alloc if the child lacks memory, of its own or as the system ends it for that
 Rehearsal rehearse(const Reader& read, rlim_t processor_seconds,
                    const std::function<void()>& stop) {
   const SharedBoard shared;
   Board* const board = shared.get();
   if (board == nullptr) return {};
+  const pid_t parent = getpid();
   pid_t id = -1;
   {
     const std::lock_guard nobody_reads(exchange_lock());
     id = fork();
   }
-  if (id == 0) read_as_child(read, processor_seconds, *board);
+  if (id == 0) read_as_child(read, processor_seconds, parent, *board);
   if (id < 0) return {};
-  const int signal = Child(id).wait(stop);
+  const std::optional<int> signal = Child(id).wait(stop);
+  if (!signal) return {};
+  if (signal == SIGKILL || board->lacks_memory) throw std::bad_alloc();
   return {board->finished, signal == SIGXCPU, board->step};
 }
 
@@ -184,7 +217,10 @@ ReadOptions rehearsed(const std::filesystem::path& file, ReadOptions options,
     ReadOptions tried = options;
     const Rehearsal done = rehearse(
         [&](const Step& step) {
-          tried.step = step;
+          tried.step = [&](const char* doing) {
+            step(doing);
+            if (options.step) options.step(doing);
+          };
           read_model(file, tried);
         },
         seconds, stop);
