@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Memory that is refused is noted, whatever becomes of it: Open CASCADE's repairs catch their own
 // want of memory and go on with less, its parser calls the file unreadable. The functions stand
-// before those of glibc, for all libraries of the process, and hand on to them.
+// before those of glibc, for all libraries of the process, and hand on to them. Noted are malloc,
+// calloc and realloc, by which Open CASCADE and `new` have their memory. What is aligned more, by
+// aligned_alloc, posix_memalign or memalign, is not: nobody here asks for much of it, and what the
+// aligned `new` lacks is thrown. Other libraries of C than glibc offer nothing to hand on to.
 
 #include <cstddef>
 #include <cstdlib>
 
 #include "plugin/cli/process/supervision.h"
 
-#ifdef BLOSSOM_NOTES_ALLOCATIONS  // sanitizers have their own
+// Sanitizers have their own.
+#if defined(BLOSSOM_NOTES_ALLOCATIONS) && defined(__GLIBC__)
 
 extern "C" {
 // NOLINTBEGIN(bugprone-reserved-identifier): what glibc calls them
