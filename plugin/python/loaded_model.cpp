@@ -145,6 +145,7 @@ std::shared_ptr<LoadedModel> LoadedModel::usable_part(const Watch& watch) {
   reports::UnusableFaces dropped = reports::drop_unusable_faces(input);
   if (!dropped.open.empty() || !dropped.lines.empty()) {
     usable_ = part(input.numbers, {}, name_);
+    usable_->named_.solids.insert(input.solids.begin(), input.solids.end());
     usable_->left_out_ = std::move(dropped);
   }
   usable_known_ = true;

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/reports/models/input.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/reading.h"
 #include "adapters/occt/soundness.h"
 
@@ -12,6 +19,26 @@ namespace blossom::reports {
 namespace {
 
 constexpr const char* kNoName = "Open CASCADE STEP translator";  // its writer's word for no name
+
+// Of the faces that are left: solids that lose none, with their inside, and other faces.
+void select_what_is_left(Input& input) {
+  TopTools_IndexedMapOfShape solids, left, bounding;
+  TopExp::MapShapes(input.model.shape(), TopAbs_SOLID, solids);
+  for (const int number : input.numbers) left.Add(input.model.face(number));
+  input.solids.clear();
+  std::vector<TopoDS_Shape> shapes;
+  for (int number = 1; number <= solids.Extent(); ++number) {
+    const std::vector<TopoDS_Face> faces = occt::faces_of(solids(number));
+    if (!std::ranges::all_of(faces, [&](const TopoDS_Face& face) { return left.Contains(face); }))
+      continue;
+    input.solids.push_back(number);
+    shapes.push_back(solids(number));
+    for (const TopoDS_Face& face : faces) bounding.Add(face);
+  }
+  for (int i = 1; i <= left.Extent(); ++i)
+    if (!bounding.Contains(left(i))) shapes.push_back(left(i));
+  if (!input.solids.empty()) input.selected = occt::compound_of(shapes);
+}
 
 }  // namespace
 
@@ -39,9 +66,10 @@ UnusableFaces drop_unusable_faces(Input& input) {
       faces.push_back(face);
     }
   }
-  if (kept.empty()) return {};
+  if (kept.empty() || kept.size() == input.faces.size()) return {};
   input.numbers = std::move(kept);
   input.faces = std::move(faces);
+  select_what_is_left(input);
   return dropped;
 }
 

@@ -51,7 +51,7 @@ struct UnusableFaces {
 
 /// Takes such faces out of an input: of a damaged file those whose wires are open, or that have
 /// none and no end; of any file those without a width. None if the user names faces, or if no other
-/// face is left.
+/// face is left. Solids that lose no face are selected and keep their inside.
 UnusableFaces drop_unusable_faces(Input& input);
 
 /// The name of a part, or of a face; empty if it is only what Open CASCADE's writer puts there for

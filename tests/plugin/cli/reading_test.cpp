@@ -127,6 +127,23 @@ TEST_F(Reading, FacesOfNoWidthAreLeftOutAndTold) {
   }
 }
 
+TEST_F(Reading, SolidsKeepTheirInsideBesideAFaceThatIsLeftOut) {
+  occt::Model beside, cube;
+  beside.add(face_of_no_width(), "");
+  beside.add(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), "");
+  occt::write_model(beside, folder / "stray.brep");
+  cube.add(BRepPrimAPI_MakeBox(gp_Pnt(4, 4, 4), 1, 1, 1).Shape(), "");
+  occt::write_model(cube, folder / "cube.brep");
+  const std::string stray = folder / "stray.brep";
+  const Finished mass = blossom({"query", "mass", stray, "--json", "-"});
+  EXPECT_EQ(mass.code, 3) << mass.err;
+  const nlohmann::json report = nlohmann::json::parse(mass.out, nullptr, false);
+  ASSERT_TRUE(report.contains("total")) << mass.out;
+  EXPECT_NEAR(report["total"].value("volume", 0.0), 1000, 1e-9);
+  const Finished run = blossom({"query", "distance", stray, folder / "cube.brep"});
+  EXPECT_NE(run.out.find("cube.brep is inside "), std::string::npos) << run.out;
+}
+
 TEST_F(Reading, NoStatusIsBetterThanToleranceThen) {
   const std::string floor = folder / "floor.brep";
   const Finished whole =

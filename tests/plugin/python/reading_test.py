@@ -148,6 +148,21 @@ class Reading(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "parameter box in v is empty"):
                 model.part([1]).self_intersect()
 
+    @unittest.skipIf(Part is None, NO_PART)
+    def test_solids_keep_their_inside_beside_a_face_that_is_left_out(self):
+        there, back = Part.makeLine((5, 0, 0), (9, 0, 0)), Part.makeLine((9, 0, 0), (5, 0, 0))
+        line = Part.Face(Part.Plane(), Part.Wire([there, back]))
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "stray.brep")
+            Part.makeCompound([line, Part.makeBox(10, 10, 10)]).exportBrep(str(path))
+            model = blossom.read(path)
+        cube = Part.makeBox(1, 1, 1)
+        cube.translate((4, 4, 4))
+        with self.assertWarnsRegex(UserWarning, "face 1 has no width and is left out"):
+            self.assertAlmostEqual(model.mass().volume, 1000, 6)
+        with self.assertWarnsRegex(UserWarning, "face 1 has no width and is left out"):
+            self.assertEqual(model.distance(cube).relation, "b inside a")
+
     def test_reading_ends_at_a_time_limit_and_by_a_handle(self):
         with self.assertRaisesRegex(blossom.Error, "the time limit of 1e-9 s was reached"):
             blossom.read(BLOCK, time_limit=1e-9)
