@@ -5,8 +5,10 @@
 #include <cctype>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #ifdef BLOSSOM_WITH_LIB3MF
 #include "adapters/lib3mf/three_mf.h"
@@ -35,59 +37,75 @@ std::string part_of(const std::string& group, const std::string& whole) {
   return end == std::string::npos ? whole : group.substr(0, end);
 }
 
-// An object for each part that groups are named by. Triangles that repeat a corner have no place
-// there.
+// An object for each part that groups are of, or that their names tell. Triangles that repeat a
+// corner have no place there.
 class ThreeMfObjects {
  public:
   ThreeMfObjects(const FileMesh& mesh, const std::string& name)
       : mesh_(mesh), owner_(mesh.points.size(), 0), number_(mesh.points.size(), 0) {
-    std::size_t next = 0;
-    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-      for (; next < mesh.groups.size() && mesh.groups[next].first <= k; ++next) {
-        enter(part_of(mesh.groups[next].name, name));
-        current().colours.push_back({current().triangles.size(), mesh.groups[next].colour});
-      }
-      if (made_.empty()) enter(name);
-      add(mesh.triangles[k]);
-    }
+    std::vector<MeshGroup> groups = mesh.groups;
+    if (groups.empty() || groups.front().first > 0) groups.insert(groups.begin(), {name, 0});
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      pieces_of(groups[g], name)
+          .push_back({groups[g].first,
+                      g + 1 < groups.size() ? groups[g + 1].first : mesh.triangles.size(),
+                      groups[g].colour});
+    for (std::size_t k = 0; k < made_.size(); ++k) fill(k);
     std::erase_if(made_, [](const lib3mf::ThreeMfObject& each) { return each.triangles.empty(); });
   }
 
   const std::vector<lib3mf::ThreeMfObject>& made() const { return made_; }
 
  private:
-  lib3mf::ThreeMfObject& current() { return made_[current_]; }
+  struct Piece {
+    std::size_t first, end;
+    std::optional<MeshColour> colour;
+  };
 
-  void enter(const std::string& name) {
-    const auto [place, is_new] = places_.try_emplace(name, made_.size());
-    current_ = place->second;
-    if (is_new) made_.push_back({name, {}, {}, {}});
+  std::vector<Piece>& pieces_of(const MeshGroup& group, const std::string& whole) {
+    const std::string name = part_of(group.name, whole);
+    const auto [place, is_new] =
+        places_.try_emplace({group.part, group.part > 0 ? "" : name}, made_.size());
+    if (is_new) {
+      made_.push_back({name, {}, {}, {}});
+      pieces_.emplace_back();
+    }
+    return pieces_[place->second];
   }
 
-  void add(const std::array<int, 3>& triangle) {
+  // All of an object at once, so that one mark a point tells whether it is there.
+  void fill(std::size_t object) {
+    for (const Piece& piece : pieces_[object]) {
+      made_[object].colours.push_back({made_[object].triangles.size(), piece.colour});
+      for (std::size_t k = piece.first; k < piece.end; ++k) add(mesh_.triangles[k], object);
+    }
+  }
+
+  void add(const std::array<int, 3>& triangle, std::size_t object) {
     const auto& [a, b, c] = triangle;
     if (a == b || b == c || c == a) return;
     std::array<int, 3> corners{};
     for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = number_of(static_cast<std::size_t>(triangle[k]));
-    current().triangles.push_back(corners);
+      corners[k] = number_of(static_cast<std::size_t>(triangle[k]), object);
+    made_[object].triangles.push_back(corners);
   }
 
   // A point of two parts is one of each.
-  int number_of(std::size_t point) {
-    if (owner_[point] != current_ + 1) {
-      owner_[point] = current_ + 1;
-      number_[point] = static_cast<int>(current().points.size());
-      current().points.push_back(mesh_.points[point]);
+  int number_of(std::size_t point, std::size_t object) {
+    std::vector<Vec3>& points = made_[object].points;
+    if (owner_[point] != object + 1) {
+      owner_[point] = object + 1;
+      number_[point] = static_cast<int>(points.size());
+      points.push_back(mesh_.points[point]);
     }
     return number_[point];
   }
 
   const FileMesh& mesh_;
   std::vector<lib3mf::ThreeMfObject> made_;
-  std::map<std::string, std::size_t> places_;  // in made_, by name
-  std::size_t current_ = 0;
-  std::vector<std::size_t> owner_;  // of a point: 1 + the object that had it last; 0 if none
+  std::vector<std::vector<Piece>> pieces_;                     // of each
+  std::map<std::pair<int, std::string>, std::size_t> places_;  // in made_
+  std::vector<std::size_t> owner_;  // of a point: 1 + the object filled last that has it, or 0
   std::vector<int> number_;         // in that object
 };
 

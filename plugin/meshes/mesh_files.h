@@ -24,6 +24,7 @@ struct MeshGroup {
   std::string name;
   std::size_t first = 0;
   std::optional<MeshColour> colour{};
+  int part = 0;  ///< of the model that it was made of, from 1; 0 if at most the name tells
 
   bool operator==(const MeshGroup&) const = default;
 };

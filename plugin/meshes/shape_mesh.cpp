@@ -43,6 +43,20 @@ std::optional<MeshColour> bytes_of(const std::optional<occt::FaceColour>& colour
   return made;
 }
 
+// Of each face of a model the number of its part, an instance of an assembly counted each time; 0
+// if it is in none. As with names, of two parts that have a face the last one counts.
+std::vector<int> part_numbers(const occt::Model& model) {
+  std::vector<int> numbers(static_cast<std::size_t>(model.face_count()), 0);
+  int parts = 0;
+  const auto number = [&](const occt::AssemblyNode& node, const auto& self) -> void {
+    if (node.parts.empty()) ++parts;
+    for (const int face : node.faces) numbers[static_cast<std::size_t>(face) - 1] = parts;
+    for (const occt::AssemblyNode& part : node.parts) self(part, self);
+  };
+  for (const occt::AssemblyNode& root : model.assembly()) number(root, number);
+  return numbers;
+}
+
 }  // namespace
 
 std::vector<MeshGroup> face_groups(const reports::Input& input) {
@@ -53,10 +67,11 @@ std::vector<MeshGroup> face_groups(const reports::Input& input) {
     names.push_back((part.empty() ? "" : part + "/") + "Face" + std::to_string(++faces[part]));
   }
   const std::vector<std::optional<occt::FaceColour>> colours = occt::face_colours(input.model);
+  const std::vector<int> parts = part_numbers(input.model);
   std::vector<MeshGroup> chosen;
   for (const int number : input.numbers) {
     const std::size_t place = static_cast<std::size_t>(number) - 1;
-    chosen.push_back({names[place], 0, bytes_of(colours[place])});
+    chosen.push_back({names[place], 0, bytes_of(colours[place]), parts[place]});
   }
   return chosen;
 }

@@ -47,7 +47,7 @@ using SharedMesh = std::shared_ptr<const NamedMesh>;
 using MeshRows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using MeshCorners = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
 using MeshGroups =
-    std::vector<std::tuple<std::string, std::size_t, std::optional<meshes::MeshColour>>>;
+    std::vector<std::tuple<std::string, std::size_t, std::optional<meshes::MeshColour>, int>>;
 using MeshTriple = std::array<double, 3>;
 
 SharedMesh mesh_of_arrays(const std::string& name, const MeshRows& points,
@@ -68,8 +68,8 @@ SharedMesh mesh_of_arrays(const std::string& name, const MeshRows& points,
                            " names a vertex that is not there");
     made->mesh.triangles.push_back({t(i, 0), t(i, 1), t(i, 2)});
   }
-  for (const auto& [group, first, colour] : groups)
-    made->mesh.groups.push_back({group, first, colour});
+  for (const auto& [group, first, colour, part] : groups)
+    made->mesh.groups.push_back({group, first, colour, part});
   if (made->mesh.triangles.empty()) throw InvalidInput("triangles: there is none");
   return made;
 }
@@ -83,7 +83,7 @@ SharedMesh read_mesh(const std::string& path, const Control& control) {
 MeshGroups groups_of(const NamedMesh& mesh) {
   MeshGroups groups;
   for (const meshes::MeshGroup& group : mesh.mesh.groups)
-    groups.push_back({group.name, group.first, group.colour});
+    groups.push_back({group.name, group.first, group.colour, group.part});
   return groups;
 }
 

@@ -40,7 +40,7 @@ py::dict mesh_records(const meshes::ShapeMesh& made, const std::vector<int>& num
   for (const int place : made.face_of) faces.push_back(numbers[static_cast<std::size_t>(place)]);
   py::list groups;
   for (const meshes::MeshGroup& group : made.mesh.groups)
-    groups.append(py::make_tuple(group.name, group.first, group.colour));
+    groups.append(py::make_tuple(group.name, group.first, group.colour, group.part));
   return py::dict("vertices"_a = points_array(std::span<const Vec3>(made.mesh.points)),
                   "triangles"_a = triangles_array(made.mesh.triangles),
                   "faces"_a = numbers_array(faces), "groups"_a = groups);

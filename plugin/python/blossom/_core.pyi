@@ -137,7 +137,7 @@ def write_mesh(
     control: Control,
 ) -> None: ...
 Colour = Tuple[int, int, int]
-Groups = List[Tuple[str, int, Optional[Colour]]]
+Groups = List[Tuple[str, int, Optional[Colour], int]]
 Plane = Tuple[Triple, Triple, str, Optional[float]]
 
 class Triangles:

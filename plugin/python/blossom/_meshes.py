@@ -33,21 +33,21 @@ class Mesh(Selective):
     @property
     def groups(self) -> Dict[int, slice]:
         """By the number of a face where its triangles are: `mesh.triangles[mesh.groups[3]]`."""
-        firsts = [first for _, first, _ in self._groups()]
+        firsts = [first for _, first, *_ in self._groups()]
         ends = firsts[1:] + [len(self.triangles)]
         return {int(self.faces[first]): slice(first, end) for first, end in zip(firsts, ends)}
 
     @property
     def names(self) -> Dict[int, str]:
         """What faces are called in .obj, .ply and .off files, and .stl as text: "Face3", or with its part "Shaft/Face3"."""
-        return {int(self.faces[first]): name for name, first, _ in self._groups()}
+        return {int(self.faces[first]): name for name, first, *_ in self._groups()}
 
     @property
     def colours(self) -> Dict[int, Colour]:
         """By the number of a face that has one: red, green, blue, from 0 to 255."""
         return {
             int(self.faces[first]): (colour[0], colour[1], colour[2])
-            for _, first, colour in self._groups()
+            for _, first, colour, _ in self._groups()
             if colour is not None
         }
 
@@ -69,7 +69,7 @@ class Mesh(Selective):
         """
         from_mesh(self).write(path, text, **options)
 
-    def _groups(self) -> List[Tuple[str, int, Optional[Colour]]]:
+    def _groups(self) -> List[Tuple[str, int, Optional[Colour], int]]:
         return list(self._made()["groups"])
 
     def _items(self) -> List[Any]:

@@ -184,15 +184,15 @@ class Triangles:
     def groups(self) -> Dict[str, slice]:
         """By the name of a group where its triangles are; of equal names the last."""
         groups = self._core.groups
-        ends = [first for _, first, _ in groups[1:]] + [len(self.triangles)]
-        return {name: slice(first, end) for (name, first, _), end in zip(groups, ends)}
+        ends = [first for _, first, *_ in groups[1:]] + [len(self.triangles)]
+        return {name: slice(first, end) for (name, first, *_), end in zip(groups, ends)}
 
     @property
     def colours(self) -> Dict[str, Colour]:
         """Of groups that have one: red, green, blue, from 0 to 255."""
         return {
             name: (colour[0], colour[1], colour[2])
-            for name, _, colour in self._core.groups
+            for name, _, colour, _ in self._core.groups
             if colour is not None
         }
 

@@ -105,19 +105,35 @@ class Meshes(unittest.TestCase):
         self.assertEqual(drilled.to_brep(), before)
 
     def test_3mf_has_an_object_for_each_part(self):
-        rows = [f"v {x + dx} {y} {z}" for dx in (0, 3) for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
-        rows += ["g rig:1/Rod/Face1", "f 1 3 2", "g rig:1/Rod/Face2", "f 1 2 4"]
-        rows += ["g Lid/Face1", "f 5 7 6", "f 5 6 8", "f 6 7 8", "f 7 5 8"]
+        # Two tetrahedra on either side of a triangle whose corners both have; their faces take turns.
+        rows = [f"v {x} {y} {z}" for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 0, -1))]
+        rows += ["g rig:1/Rod/Face1", "f 1 3 2", "g Lid/Face1", "f 1 2 3", "f 2 1 5"]
+        rows += ["g rig:1/Rod/Face2", "f 1 2 4", "g Lid/Face2", "f 3 2 5", "f 1 3 5"]
         rows += ["g rig:1/Rod/Face3", "f 2 3 4", "f 3 1 4"]
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "rig.obj").write_text("\n".join(rows) + "\n")
             blossom.from_mesh(Path(folder) / "rig.obj").write(Path(folder) / "rig.3mf")
             objects = _objects_of(Path(folder) / "rig.3mf")
-        self.assertEqual(list(objects), ["rig:1/Rod", "Lid"])
-        for vertices, triangles in objects.values():
+        self.assertEqual([name for name, _, _ in objects], ["rig:1/Rod", "Lid"])
+        for _, vertices, triangles in objects:
             self.assertEqual((len(vertices), len(triangles)), (4, 4))
             a, b, c = (vertices[triangles[:, k]] for k in range(3))
             self.assertAlmostEqual(np.einsum("ij,ij->", a, np.cross(b, c)) / 6, 1 / 6)
+
+    def test_3mf_has_an_object_for_each_of_two_parts_of_one_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, out = Path(folder) / "rig.step", Path(folder) / "rig.3mf"
+            blossom.solid("split", FILES / "block.step", DRILL).to_step(file)
+            text = file.read_text()
+            for name in set(blossom.read(file).part_paths):
+                text = text.replace(f"'{name}'", "'Bolt'")
+            file.write_text(text)
+            rig = blossom.read(file)
+            self.assertEqual(set(rig.part_paths), {"Bolt"})
+            for write in (rig.mesh(0.5).write, pickle.loads(pickle.dumps(rig.mesh(0.5))).write):
+                write(out)
+                objects = _objects_of(out)
+                self.assertEqual([name for name, _, _ in objects], ["Bolt"] * rig.counts["solids"])
 
     @unittest.skipIf(support.Part is None, support.NO_PART)
     def test_shapes_of_part_get_no_triangles(self):
@@ -156,18 +172,17 @@ def _quietly_unmeshed(shape):
 
 
 def _objects_of(file):
-    """Vertices and triangles of the objects of a 3MF file, by name."""
+    """Name, vertices and triangles of the objects of a 3MF file."""
     space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
     with zipfile.ZipFile(file) as archive:
         model = ElementTree.fromstring(archive.read("3D/3dmodel.model"))
     listed = [item.get("objectid") for item in model.iter(space + "item")]
-    found = {}
+    found = []
     for each in model.iter(space + "object"):
         assert each.get("id") in listed
-        found[each.get("name")] = (
-            np.array([[float(v.get(k)) for k in "xyz"] for v in each.iter(space + "vertex")]),
-            np.array([[int(t.get(k)) for k in ("v1", "v2", "v3")] for t in each.iter(space + "triangle")]),
-        )
+        vertices = [[float(v.get(k)) for k in "xyz"] for v in each.iter(space + "vertex")]
+        triangles = [[int(t.get(k)) for k in ("v1", "v2", "v3")] for t in each.iter(space + "triangle")]
+        found.append((each.get("name"), np.array(vertices), np.array(triangles)))
     return found
 
 
