@@ -8,8 +8,8 @@ Pairs of random bicubic patches are intersected, and with `--models` a tenth of 
 and sections of the models in that folder. There are three runs: undisturbed, with the driver killed and
 started again, and with `--dask` through two workers, of which one is killed by its id at a third, and the
 driver with `--disturb` at two thirds and started again. Every result has to be there once and, but for
-times, to be that of the undisturbed run. Prints seconds, rates, processor time and memory. PYTHONPATH has
-the package `blossom`.
+times, to be that of the undisturbed run; a run that ended before it was disturbed is an error. Prints
+seconds, rates, processor time and memory. PYTHONPATH has the package `blossom`.
 """
 
 import argparse
@@ -106,10 +106,15 @@ def start_cluster(folder):
     return address, processes
 
 
+def end_undisturbed(what):
+    sys.exit(f"{what} was not killed: the run ended before; give it more --jobs")
+
+
 def run_on_cluster(program, folder, jobs, disturb):
     """With one of two workers killed at a third of the results, and the driver at two thirds."""
     address, processes = start_cluster(folder)
     out = folder / "dask.jsonl"
+    is_whole, is_left_alone = True, disturb
     start = time.monotonic()
     command = [sys.executable, "-m", "blossom.distributed", folder / "jobs.jsonl", "-o", out,
                "--scheduler", address, "--program", program, "-q"]  # fmt: skip
@@ -118,20 +123,26 @@ def run_on_cluster(program, folder, jobs, disturb):
     while driver.poll() is None:
         time.sleep(0.5)
         have = out.read_bytes().count(b"\n") if out.exists() else 0
-        if processes[1].poll() is None and have > jobs / 3:
+        if is_whole and processes[1].poll() is None and jobs / 3 < have < jobs:
+            is_whole = False
             processes[1].send_signal(signal.SIGKILL)
             print(f"dask: worker {processes[1].pid} killed after {time.monotonic() - start:.1f} s "
                   f"with {have} results", flush=True)  # fmt: skip
-        if disturb and have > jobs * 2 / 3:
-            disturb = False
+        if is_left_alone and jobs * 2 / 3 < have < jobs:
             driver.kill()
-            driver.wait()
+            if driver.wait() != -signal.SIGKILL:
+                break
+            is_left_alone = False
             print(f"dask: driver killed after {time.monotonic() - start:.1f} s with {have} results", flush=True)
             driver = subprocess.Popen(command)
     seconds = time.monotonic() - start
     for process in processes:
         process.kill()
         process.wait()
+    if is_whole:
+        end_undisturbed("dask: the worker")
+    if is_left_alone:
+        end_undisturbed("dask: the driver")
     return seconds, driver.returncode
 
 
@@ -167,7 +178,9 @@ def main():
     if given.disturb:
         out = given.folder / "disturbed.jsonl"
         out.unlink(missing_ok=True)
-        first, _ = run([*batch, out], kill_after=seconds / 2)
+        first, code = run([*batch, out], kill_after=seconds / 2)
+        if code != -signal.SIGKILL:
+            end_undisturbed("the driver")
         before = out.read_bytes().count(b"\n")
         rest, code = run([*batch, out])
         same = results(out, given.jobs) == expected
