@@ -79,8 +79,9 @@ class Driver {
   };
 
   // The libraries for STEP and IGES take longer to load than many jobs take. The first job that
-  // wants them has them loaded here, for all that follow, and they stay theirs where the program is
-  // installed anew meanwhile. Batches of other files keep the copies of this process small.
+  // names such a file has them loaded here, for all that follow, and they stay theirs where the
+  // program is installed anew meanwhile. Batches of other files keep the copies of this process
+  // small; jobs whose words do not tell, as of packed files, load what they need themselves.
   void load_for(const Job& job) {
     if (is_loaded_ || std::ranges::none_of(job.arguments, names_exchanged_file)) return;
     is_loaded_ = true;
