@@ -91,17 +91,17 @@ class PieceFinder {
   std::vector<SurfaceFoot> feet_near(const Vec3& point) {
     std::vector<SurfaceFoot> feet;
     for (int patch = 0; patch < surface_.count(); ++patch) {
-      std::vector<int> cells(1, 0);
-      while (!cells.empty()) {
-        const int index = cells.back();
-        cells.pop_back();
+      cells_.assign(1, 0);
+      while (!cells_.empty()) {
+        const int index = cells_.back();
+        cells_.pop_back();
         const Cell& cell = surface_[patch][index];
         if (is_apart(cell, point)) continue;
         if (!is_graph(cell) && cell.extent > tolerance_ + 8 * cell.margin) {
           if (!may_split()) return {};
           const int child = surface_[patch].split(index);
-          cells.push_back(child);
-          cells.push_back(child + 1);
+          cells_.push_back(child);
+          cells_.push_back(child + 1);
           continue;
         }
         const SurfaceFoot foot =
@@ -130,6 +130,7 @@ class PieceFinder {
   long budget_, splits_ = 0;
   WorkLimit limit_;
   bool is_spent_ = false;
+  std::vector<int> cells_;  // that feet_near has to look at; kept for its memory
 };
 
 }  // namespace
