@@ -6,7 +6,6 @@
 #include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <string>
@@ -22,7 +21,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangle = std::array<int, 3>;
 
-constexpr std::size_t kAskAfter = 1 << 14;  // pairs
+constexpr std::size_t kAskAfter = 1 << 14;  // pairs of a thread
 
 // A side, its lower vertex first, and the triangle that has it.
 struct Side {
@@ -114,8 +113,9 @@ class Judge {
         box = joined(box, {points_[index(corner)], points_[index(corner)]});
       boxes.push_back(box);
     }
-    std::atomic<std::size_t> asked = 0;
     BoxTree(boxes).for_each_pair([&](int i, int j) {
+      // On each thread, as a count in common would go from one to the other with every pair.
+      static thread_local std::size_t asked = 0;
       if (ask_ && ++asked % kAskAfter == 0) {
         const std::lock_guard guard(told_);
         ask_();

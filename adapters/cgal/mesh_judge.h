@@ -41,6 +41,7 @@ struct MeshVerdict {
 /// triangles   three indices of points each
 /// ask         asked now and then; may throw to end the work
 /// crossing    called for each pair of `crossings`, the lower place first, in no order
+///             Both are called on threads of oneTBB, too, but never by two at once.
 /// throws      InvalidInput if an index is out of range or a coordinate is not finite
 /// cost        O(n log n) for n triangles that meet few others; memory in proportion to n, however
 ///             many cross
