@@ -24,7 +24,6 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeHalfSpace.hxx>
-#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_SphericalSurface.hxx>
@@ -39,11 +38,13 @@
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
+#include "tests/adapters/occt/chamfered_angle.h"
 #include "tests/adapters/occt/fillet_checks.h"
 
 namespace blossom::occt {
 namespace {
 
+using testing::chamfered_angle;
 using testing::expect_sound;
 
 constexpr double kSmooth = 2e-6;  // radians: what strips and fills keep together
@@ -255,24 +256,6 @@ TEST(FilletCorner, OfTwoNeighboursAmongFourEdgesHasNoPlaneAcross) {
   expect_sound(made);
   EXPECT_TRUE(made.notes.empty());
   EXPECT_LT(made.solids.front().volume, made.volume_before);
-}
-
-// An angle of two bars with chamfers along its upper edges.
-TopoDS_Shape chamfered_angle() {
-  BRepBuilderAPI_MakePolygon outline;
-  for (const gp_Pnt& each : {gp_Pnt(0, 0, 0), gp_Pnt(30, 0, 0), gp_Pnt(30, 10, 0),
-                             gp_Pnt(15, 10, 0), gp_Pnt(15, 20, 0), gp_Pnt(0, 20, 0)})
-    outline.Add(each);
-  outline.Close();
-  const TopoDS_Shape angle =
-      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 10))
-          .Shape();
-  BRepFilletAPI_MakeChamfer chamfer(angle);
-  TopTools_IndexedMapOfShape edges;
-  TopExp::MapShapes(angle, TopAbs_EDGE, edges);
-  for (const EdgeFacts& each : edge_facts(angle))
-    if (each.middle[2] > 9.9) chamfer.Add(2, TopoDS::Edge(edges(each.number)));
-  return chamfer.Shape();
 }
 
 // What is cut off along both is what is cut off along the one or the other.

@@ -11,64 +11,35 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
-#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
-#include <BRepPrimAPI_MakeSphere.hxx>
-#include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
+#include "tests/adapters/occt/chamfered_angle.h"
 #include "tests/adapters/occt/fillet_checks.h"
+#include "tests/adapters/occt/fillet_volumes.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kCut = 1 - std::numbers::pi / 4;  // a ball of radius 1 in a square's corner
-
-template <class Fits>
-std::vector<int> edges_where(const TopoDS_Shape& shape, EdgeKind kind, const Fits& fits) {
-  std::vector<int> found;
-  for (const EdgeFacts& each : edge_facts(shape))
-    if (each.kind == kind && fits(each.middle)) found.push_back(each.number);
-  return found;
-}
+using testing::chamfered_angle;
+using testing::edges_where;
+using testing::expect_change;
+using testing::integral;
+using testing::kCut;
 
 TopoDS_Shape prism(const std::vector<gp_Pnt>& outline, const gp_Vec& way) {
   BRepBuilderAPI_MakePolygon wire;
   for (const gp_Pnt& each : outline) wire.Add(each);
   wire.Close();
   return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire(), true).Face(), way).Shape();
-}
-
-// Valid, whole, and as much more as was said.
-void expect_change(const FilletResult& made, double more, double error) {
-  for (const FilletRefusal& each : made.refused) ADD_FAILURE() << each.text();
-  for (const std::string& each : made.notes) ADD_FAILURE() << each;
-  ASSERT_EQ(made.solids.size(), 1U);
-  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
-  EXPECT_NEAR(made.solids.front().volume - made.volume_before, more, error);
-}
-
-// The sum of a function's values between two points, by Simpson's rule.
-template <class F>
-double integral(double from, double to, const F& f) {
-  constexpr int kSteps = 20000;
-  const double step = (to - from) / kSteps;
-  double sum = f(from) + f(to);
-  for (int i = 1; i < kSteps; ++i) sum += (i % 2 == 1 ? 4 : 2) * f(from + i * step);
-  return sum * step / 3;
 }
 
 // An angle of two bars: its inner corner is at (5, 5).
@@ -253,100 +224,6 @@ TEST(FilletOfALeaningFace, BeginsWhereTheBallTouchesBothFaces) {
   }
 }
 
-// A quarter of a cone, whose upright edge ends in the apex.
-TEST(FilletAtAnApex, StripEndsInTheCone) {
-  const TopoDS_Shape shape = BRepPrimAPI_MakeCone(50, 0, 120, std::numbers::pi / 2).Shape();
-  const std::vector<int> edges = edges_where(
-      shape, EdgeKind::Convex, [](const Vec3& at) { return std::hypot(at[0], at[1]) < 1e-9; });
-  ASSERT_EQ(edges.size(), 1U);
-  // At the distances x, y from the planes the cone is 120 (1 - hypot(x, y) / 50) high; the ball
-  // leaves what is nearer to the axis than its arc, which begins at R(a) from it.
-  const double r = 10;
-  const double less = 2 * integral(0, std::sqrt(std::numbers::pi / 4), [&](double s) {
-                        const double a = s * s,
-                                     sum = std::cos(a) + std::sin(a);  // the root is smooth in s
-                        const double far = r * (sum - std::sqrt(std::sin(2 * a)));
-                        return 2 * s * 120 * (far * far / 2 - far * far * far / 150);
-                      });
-
-  expect_change(fillet(shape, edges, {.radius = r}), -less, 1e-6);
-}
-
-// What balls of radius 10 between the plane y = 0 and the cone leave of it under a point. Their
-// centres are on or under z = 94 - 2.4 hypot(x, y), y >= 10, and those that reach highest have
-// y = 10 beside the plane; elsewhere one touches the cone itself.
-double height_under_balls(double x, double y) {
-  const double away = std::hypot(x, y), cone = 120 - 2.4 * away;
-  const double foot = (away - 10 * 12 / 13.0) / away;  // of the ball's centre that touches there
-  if (y * foot >= 10) return cone;
-  const double half = std::sqrt(100 - (y - 10) * (y - 10));
-  double from = x - half, to = x + half;
-  const auto reach = [&](double t) {
-    return 94 - 2.4 * std::hypot(t, 10) + std::sqrt(std::max(0.0, half * half - (x - t) * (x - t)));
-  };
-  for (int i = 0; i < 60; ++i) {  // it is concave
-    const double p = from + 0.382 * (to - from), q = from + 0.618 * (to - from);
-    (reach(p) < reach(q) ? from : to) = reach(p) < reach(q) ? p : q;
-  }
-  return std::min(cone, reach(0.5 * (from + to)));
-}
-
-// A slanting edge of it: towards the apex the ball rises along a hyperbola, never back, until it
-// comes to its summit in the plane behind. There both contacts leave their faces at once, and what
-// no ball reaches above it goes, the apex with it.
-TEST(FilletAtAnApex, StripOfTheConeEndsInThePlaneBehind) {
-  const TopoDS_Shape shape = BRepPrimAPI_MakeCone(50, 0, 120, std::numbers::pi / 2).Shape();
-  const std::vector<int> edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
-    return std::abs(at[1]) < 1e-9 && std::abs(at[2] - 60) < 1e-9 && at[0] > 1;
-  });
-  ASSERT_EQ(edges.size(), 1U);
-  constexpr int kCells = 500;
-  double less = 0;  // over squares of 0.1
-  for (int i = 0; i < kCells; ++i)
-    for (int k = 0; k < kCells / 2; ++k) {
-      const double x = 0.1 * (i + 0.5), y = 0.1 * (k + 0.5);
-      const double whole = 120 - 2.4 * std::hypot(x, y);
-      if (whole > 0) less += 0.01 * (whole - std::max(0.0, height_under_balls(x, y)));
-    }
-
-  const FilletResult made = fillet(shape, edges, {.radius = 10});
-
-  expect_change(made, -less, 1e-3 * less);
-  ASSERT_EQ(made.solids.size(), 1U);
-  EXPECT_EQ(made.solids.front().faces.size(), 5U);
-  int ends = 0;  // of the strip: the last ball's circle, in the plane behind
-  for (const FilletFace& each : made.solids.front().faces)
-    for (TopExp_Explorer it(each.face, TopAbs_VERTEX); each.from == 0 && it.More(); it.Next()) {
-      const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(it.Current()));
-      if (std::abs(p.X()) > 1e-6) continue;
-      ++ends;
-      EXPECT_NEAR(p.Distance({0, 10, 70}), 10, 1e-6);
-      EXPECT_TRUE(std::abs(p.Y()) < 1e-6 || std::abs(p.Z() - (120 - 2.4 * p.Y())) < 1e-6);
-    }
-  EXPECT_EQ(ends, 4);  // both, in two edges each
-}
-
-// Three quarters of a ball: in its notch the poles would come to lie inside of the ball's face.
-TEST(FilletInTheNotchOfABall, EndsInPlanesBeforeThePolesAndSaysWhy) {
-  const double half = std::numbers::pi / 2;
-  const TopoDS_Shape shape = BRepPrimAPI_MakeSphere(10, -half, half, 3 * half).Shape();
-  const std::vector<int> edges =
-      edges_where(shape, EdgeKind::Concave, [](const Vec3&) { return true; });
-  ASSERT_EQ(edges.size(), 1U);
-
-  const FilletResult made = fillet(shape, edges, {.radius = 1});
-
-  for (const FilletRefusal& each : made.refused) ADD_FAILURE() << each.text();
-  ASSERT_EQ(made.solids.size(), 1U);
-  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
-  const double more = made.solids.front().volume - made.volume_before;
-  EXPECT_LT(more, 20 * kCut);
-  EXPECT_GT(more, 16 * kCut);
-  ASSERT_EQ(made.notes.size(), 2U);
-  for (const std::string& each : made.notes)
-    EXPECT_NE(each.find("it ends in a pole of face"), std::string::npos) << each;
-}
-
 TEST(FilletOfAShell, SaysThatItsEdgesAreOfNoSolid) {
   const TopoDS_Shape shell = BRepPrimAPI_MakeBox(10, 10, 10).Shell();
 
@@ -380,20 +257,8 @@ TEST(FilletEnds, InTwoPiecesOfOnePlaneGrowsOneOfThem) {
     }
 }
 
-// An angle whose upper edges are chamfered. The inner edge ends between two chamfers that meet at
-// their own inner edge, which goes on up to the strip as they do.
-TopoDS_Shape chamfered_angle() {
-  const TopoDS_Shape angle =
-      prism({{0, 0, 0}, {30, 0, 0}, {30, 10, 0}, {15, 10, 0}, {15, 20, 0}, {0, 20, 0}}, {0, 0, 10});
-  BRepFilletAPI_MakeChamfer chamfered(angle);
-  for (TopExp_Explorer it(angle, TopAbs_EDGE); it.More(); it.Next()) {
-    Bnd_Box box;
-    BRepBndLib::Add(it.Current(), box);
-    if (box.CornerMin().Z() > 9) chamfered.Add(2, TopoDS::Edge(it.Current()));
-  }
-  return chamfered.Shape();
-}
-
+// The inner edge ends between two chamfers that meet at their own inner edge, which goes on up to
+// the strip as they do.
 TEST(FilletEnds, BetweenTwoFacesThatGrowSoDoesTheirEdge) {
   const TopoDS_Shape angle = chamfered_angle();
   const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), gp_Pnt(35, 25, 12)).Shape();
