@@ -25,7 +25,6 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_Interpolate.hxx>
-#include <GeomLProp_SLProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_Plane.hxx>
@@ -41,7 +40,6 @@
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/soundness.h"
-#include "core/base/errors.h"
 #include "tests/adapters/occt/fillet_checks.h"
 
 namespace blossom::occt {
@@ -446,72 +444,6 @@ TEST(ChamferRefuses, BadSizes) {
   FilletOptions wide;
   wide.chamfer = ChamferSize{11};
   EXPECT_TRUE(fillet(shape, {1}, wide).solids.empty());
-}
-
-TEST(FilletOfChangingRadius, TakesTheSameFromBothSidesOfAnEdge) {
-  const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
-  const FilletResult up = fillet(shape, {1}, {.law = RadiusLaw::linear({0, 1}, 1, 2)});
-  const FilletResult down = fillet(shape, {1}, {.law = RadiusLaw::linear({0, 1}, 2, 1)});
-  expect_sound(up);
-  expect_sound(down);
-  ASSERT_EQ(up.solids.size(), 1U);
-  EXPECT_NEAR(up.solids.front().volume, down.solids.front().volume, 1e-6);
-  // Sections of the cone are similar: what goes is in proportion to the integral of r^2.
-  const FilletResult twice = fillet(shape, {1}, {.law = RadiusLaw::linear({0, 1}, 2, 3)});
-  expect_sound(twice);
-  const double slope_free = 10 * kCut * 7.0 / 3;
-  EXPECT_NEAR(1000 - up.solids.front().volume, slope_free, 0.02 * slope_free);
-}
-
-// What goes is in proportion to the integral of r^2, but for the slopes of the cones.
-TEST(FilletOfChangingRadius, GoesByALaw) {
-  const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
-  for (const RadiusLaw& law :
-       {RadiusLaw::smooth({0, 1}, 1, 2), RadiusLaw::table({0, 0.3, 0.7, 1}, {1, 1.6, 1.4, 1})}) {
-    const FilletResult made = fillet(shape, {1}, {.law = law});
-    expect_sound(made);
-    ASSERT_EQ(made.solids.size(), 1U);
-    double squares = 0;
-    for (int i = 0; i < 1000; ++i) squares += std::pow(law.at((i + 0.5) / 1000).value, 2) / 1000;
-    const double expected = 10 * kCut * squares;
-    EXPECT_NEAR(1000 - made.solids.front().volume, expected, 0.05 * expected);
-  }
-  EXPECT_THROW(fillet(shape, {1}, {.law = RadiusLaw::table({0, 0.1, 0.9, 1}, {9, 0.1, 0.1, 9})}),
-               InvalidInput);
-}
-
-// Beside a plane the sections begin without curvature, where circles have that of the ball.
-TEST(FilletOfSection, HasTheCurvaturesOfItsFaces) {
-  const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
-  const FilletResult made =
-      fillet(shape, {1}, {.radius = 2, .section = {.kind = SectionKind::Curvature}});
-  expect_sound(made);
-  ASSERT_EQ(made.solids.size(), 1U);
-  EXPECT_LT(made.solids.front().volume, 1000);
-  int blends = 0;
-  for (const FilletFace& face : made.solids.front().faces) {
-    if (face.from != 0) continue;
-    ++blends;
-    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face.face);
-    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-    surface->Bounds(u0, u1, v0, v1);
-    const auto curvature = [&](double v) {
-      GeomLProp_SLProps at(surface, (u0 + u1) / 2, v, 2, 1e-9);
-      return std::max(std::abs(at.MaxCurvature()), std::abs(at.MinCurvature()));
-    };
-    for (const double v : {v0, v1}) EXPECT_LE(curvature(v), 1e-6);
-    EXPECT_GE(curvature((v0 + v1) / 2), 0.1);
-  }
-  EXPECT_EQ(blends, 1);
-}
-
-TEST(FilletOfChangingRadius, IsRefusedRoundClosedEdges) {
-  const TopoDS_Shape shape = BRepPrimAPI_MakeCylinder(5, 10).Shape();
-  const FilletResult made =
-      fillet(shape, sharp_edges(shape), {.law = RadiusLaw::linear({0, 1}, 1, 2)});
-  EXPECT_TRUE(made.solids.empty());
-  ASSERT_FALSE(made.refused.empty());
-  EXPECT_EQ(made.refused.front().fault, FilletFault::Edge);
 }
 
 // The ball rolls all round a knob on a ring, and comes back without a turn about either axis; a cut
