@@ -9,9 +9,6 @@
 
 #include <Interface_Check.hxx>
 #include <Interface_EntityIterator.hxx>
-#include <StepBasic_Product.hxx>
-#include <StepBasic_ProductDefinition.hxx>
-#include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepGeom_Axis2Placement3d.hxx>
 #include <StepGeom_BSplineCurveWithKnots.hxx>
 #include <StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve.hxx>
@@ -465,62 +462,7 @@ class Damage {
   Entities seen_, arbitrary_;
 };
 
-/// What a shape is used by on the way to its product.
-bool is_part_of_shape(const Entity& entity) {
-  return (is_of(entity, "StepShape_") &&
-          !is_of(entity, "StepShape_ShapeDefinitionRepresentation")) ||
-         entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationRelationship)) ||
-         entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationMap)) ||
-         entity->IsKind(STANDARD_TYPE(StepRepr_MappedItem));
-}
-
 }  // namespace
-
-std::string product_name(const Entity& entity) {
-  const auto definition = Handle(StepRepr_PropertyDefinition)::DownCast(entity);
-  if (definition.IsNull()) return {};
-  const Handle(StepBasic_ProductDefinition) product = definition->Definition().ProductDefinition();
-  if (product.IsNull() || product->Formation().IsNull()) return {};
-  const Handle(StepBasic_Product) of = product->Formation()->OfProduct();
-  return of.IsNull() || of->Name().IsNull()
-             ? ""
-             : "product '" + std::string(of->Name()->ToCString()) + "'";
-}
-
-bool is_of_two_shapes(const Entity& entity) {
-  return entity->IsKind(STANDARD_TYPE(StepRepr_ShapeRepresentationRelationship)) &&
-         !entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationRelationshipWithTransformation));
-}
-
-std::string StepOwners::label(const Handle(Standard_Transient) & entity) const {
-  return model_.StringLabel(entity)->ToCString();
-}
-
-std::string StepOwners::type(const Handle(Standard_Transient) & entity) const {
-  return model_.TypeName(entity, false);
-}
-
-StepProduct StepOwners::product(const Handle(Standard_Transient) & entity) const {
-  StepProduct product;
-  bool represented = false, defined = false;
-  std::vector<Entity> open{entity};
-  Entities seen;
-  while (!open.empty()) {
-    const Entity next = open.back();
-    open.pop_back();
-    represented = represented || next->IsKind(STANDARD_TYPE(StepRepr_Representation));
-    for (Interface_EntityIterator user = graph_.Sharings(next); user.More(); user.Next()) {
-      const Entity& above = user.Value();
-      if (is_part_of_shape(above) && seen.insert(above.get()).second) open.push_back(above);
-      if (!is_of(above, "StepShape_ShapeDefinitionRepresentation")) continue;
-      defined = true;
-      for (Interface_EntityIterator used = graph_.Shareds(above); used.More(); used.Next())
-        if (product.name.empty()) product.name = product_name(used.Value());
-    }
-  }
-  product.expected = !product.name.empty() || (represented && !defined);
-  return product;
-}
 
 StepDamage leave_out_damage(const StepOwners& owners, const FaceChoice& keeps,
                             ReadingReport& report) {
