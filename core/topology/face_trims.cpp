@@ -316,6 +316,20 @@ PartSide part_side(const FaceTrims& trims, const Interval& u, const Interval& v)
   return PartSide::Outside;
 }
 
+bool is_inside_by_periods(const FaceTrims& trims, const Vec2& uv) {
+  // The first place in the box of the trims or past it, and the way on to the next one.
+  Vec2 first{uv[0] * trims.scale[0], uv[1] * trims.scale[1]}, step;
+  for (int k = 0; k < 2; ++k) {
+    const double period = trims.period[k];
+    if (period > 0) first[k] += std::ceil((trims.box.low[k] - first[k]) / period) * period;
+    step[k] = period > 0 ? period : std::numeric_limits<double>::infinity();
+  }
+  for (double u = first[0]; u <= trims.box.high[0]; u += step[0])
+    for (double v = first[1]; v <= trims.box.high[1]; v += step[1])
+      if (is_inside(trims, {u, v})) return true;
+  return false;
+}
+
 std::optional<TrimPlace> border_at(const FaceTrims& trims, const Vec2& uv) {
   const Vec2 point{uv[0] * trims.scale[0], uv[1] * trims.scale[1]};
   for (const double turn_u : turns(trims.period[0]))

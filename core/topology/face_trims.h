@@ -107,6 +107,9 @@ std::vector<Vec2> period_shifts(const FaceTrims& trims, const PlanarCurve& curve
 /// Whether a point in chart coordinates lies inside; on a wire either answer.
 bool is_inside(const FaceTrims& trims, const Vec2& point);
 
+/// The same for a point by the surface's own parameters, of which whole periods do not matter.
+bool is_inside_by_periods(const FaceTrims& trims, const Vec2& uv);
+
 /// How a rectangle of the surface's own parameters lies to the trims. Inside and Outside are proven
 /// by boxes of pieces of the wires, none of which meets it. A point is Mixed on a wire alone.
 PartSide part_side(const FaceTrims& trims, const Interval& u, const Interval& v);

@@ -187,10 +187,7 @@ bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach) {
   const SurfaceProjector feet(face, Precision::Confusion());
   const Vec2 uv = feet.foot(p, {});
   if (feet.gap(p, uv) > reach) return false;
-  const FaceTrims trims = face_trims(face);
-  const Vec2 at{uv[0] * trims.scale[0], uv[1] * trims.scale[1]};
-  return std::ranges::any_of(period_shifts(trims, planar_line(at, at, {0, 1})),
-                             [&](const Vec2& shift) { return is_inside(trims, at + shift); });
+  return is_inside_by_periods(face_trims(face), uv);
 }
 
 ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use) {

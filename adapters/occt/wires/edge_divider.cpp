@@ -238,8 +238,7 @@ bool EdgeDivider::lies_on(std::size_t face, const Vec3& point, double reach) {
   const auto& [trims, feet] = chart_of(face);
   const Vec2 uv = feet.foot(point, {});
   if (feet.gap(point, uv) > reach) return false;
-  return border_at(trims, uv).has_value() ||
-         is_inside(trims, {uv[0] * trims.scale[0], uv[1] * trims.scale[1]});
+  return border_at(trims, uv).has_value() || is_inside_by_periods(trims, uv);
 }
 
 std::optional<WireSide> EdgeDivider::side_in_solids(const Vec3& point) {

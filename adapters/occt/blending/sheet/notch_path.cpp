@@ -61,10 +61,7 @@ bool stays_where(const RolledStrip& strip, const FaceTrims& trims, const EndCurv
     const double x = at(curve.range, i / double{kInsideSamples});
     const gp_Pnt2d there = curve.on_strip->Value(x), uv = curve.on_face->Value(x);
     if (!is_between(strip, strip.along_u ? there.Y() : there.X())) return false;
-    const Vec2 point{uv.X() * trims.scale[0], uv.Y() * trims.scale[1]};
-    const std::vector<Vec2> shifts = period_shifts(trims, planar_line(point, point, {0, 1}));
-    const auto is_in = [&](const Vec2& shift) { return is_inside(trims, point + shift); };
-    if (std::ranges::any_of(shifts, is_in) == grows) return false;
+    if (is_inside_by_periods(trims, {uv.X(), uv.Y()}) == grows) return false;
   }
   return true;
 }

@@ -14,6 +14,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/base/compounds.h"
@@ -103,6 +104,19 @@ TEST(WireTrim, ACircleMayLieOnASphere) {
   EXPECT_EQ(made_of(on, sphere, SolidOperation::Cut).lengths.result, 0);
   EXPECT_NEAR(made_of(circle({2, 0, 0}, 2), sphere, SolidOperation::Common).lengths.result,
               2 * 2 * kPi / 3, 1e-6);
+}
+
+// Round the cylinder the face goes over where its parameter begins, so that feet are a period off.
+TEST(WireTrim, AFaceMayGoAcrossItsSeam) {
+  const gp_Cylinder round(gp_Ax3(gp_Pnt(), kUp), 2);
+  const double x = 2 * std::cos(0.5), y = 2 * std::sin(0.5);
+  const TopoDS_Shape on = line({x, y, -1}, {x, y, 3});
+  for (const double turns : {0, 2}) {
+    const double from = (1.5 + 2 * turns) * kPi;
+    const TopoDS_Shape face = BRepBuilderAPI_MakeFace(round, from, from + kPi, 0, 4).Face();
+    expect(made_of(on, face, SolidOperation::Common), {3, 1, 2});
+    expect(made_of(on, face, SolidOperation::Cut), {1, 1, 2});
+  }
 }
 
 // Within tolerance of it for some 1e-3.
