@@ -343,6 +343,20 @@ void part_from_inputs(BRepTools_ReShape& copies, SolidTrimResult& result) {
   for (SolidFace& face : result.faces) face.face = TopoDS::Face(copies.Apply(face.face));
 }
 
+// What all operations tell of their inputs, and what is not given out where there is an obstacle.
+void finish(const TrimTool& part, const std::vector<TrimTool>& tools, SolidTrimResult& result) {
+  report_loose_faces(part, tools, result);
+  if (result.obstacles.empty()) return;
+  // Two ends of curves may have one cause.
+  std::vector<std::string> causes;
+  for (std::string& cause : result.obstacles)
+    if (std::ranges::find(causes, cause) == causes.end()) causes.push_back(std::move(cause));
+  result.obstacles = std::move(causes);
+  result.solids.clear();
+  result.sheets.clear();
+  result.faces.clear();
+}
+
 }  // namespace
 
 std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& tools,
@@ -373,7 +387,11 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   for (std::size_t i = 0; i < tools.size(); ++i) require_shape(tools[i], tool_name(tools, i));
   if (const std::string cause = misplaced_sheet(part, tools, operation); !cause.empty())
     throw InvalidInput("trim: " + cause);
-  if (takes_wires(part, tools)) return trim_wires(part, tools, operation, options);
+  if (takes_wires(part, tools)) {
+    SolidTrimResult result = trim_wires(part, tools, operation, options);
+    finish(part, tools, result);
+    return result;
+  }
   KeptTolerances kept(part.faces);
   for (const TrimTool& tool : tools) kept.remember(tool.faces);
   const SharedLimit limit(options);
@@ -392,18 +410,8 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   const TopTools_MapOfShape given = faces_of(part, tools);
   for (SolidFace& of : result.faces) of.as_given = given.Contains(of.face);
   if (const auto copies = kept.parted(); !copies.IsNull()) part_from_inputs(*copies, result);
-  report_loose_faces(part, tools, result);
   if (!part.is_solid()) result.open_part = describe_open_shell(part);
-  if (!result.obstacles.empty()) {
-    // Two ends of curves may have one cause.
-    std::vector<std::string> causes;
-    for (std::string& cause : result.obstacles)
-      if (std::ranges::find(causes, cause) == causes.end()) causes.push_back(std::move(cause));
-    result.obstacles = std::move(causes);
-    result.solids.clear();
-    result.sheets.clear();
-    result.faces.clear();
-  }
+  finish(part, tools, result);
   return result;
 }
 

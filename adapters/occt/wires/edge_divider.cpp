@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <utility>
 
 #include <BRep_Tool.hxx>
@@ -42,8 +43,7 @@ Boxed<Shape> boxed(const Shape& shape) {
   return {shape, bounds_of(shape)};
 }
 
-Bnd_Box box_round(const TopoDS_Shape& shape, double reach) {
-  Bnd_Box box = bounds_of(shape);
+Bnd_Box enlarged(Bnd_Box box, double reach) {
   box.Enlarge(reach);
   return box;
 }
@@ -60,14 +60,15 @@ std::vector<TopoDS_Face> faces_in(const TopoDS_Solid& solid) {
 // it.
 struct EdgeStop {
   double parameter = 0;
+  double reach = 0;  // by which it was found
   bool sure = true;
 };
 
-// Stops that an edge does not leave between them are one: the ends of the edge, or a sure one.
-std::vector<EdgeStop> distinct_stops(std::vector<EdgeStop> stops, const RangedCurve& of,
-                                     double reach) {
+// Stops that an edge does not leave between them, by more than one of them was found by, are one:
+// the ends of the edge, or a sure one.
+std::vector<EdgeStop> distinct_stops(std::vector<EdgeStop> stops, const RangedCurve& of) {
   const auto is_place = [&](const EdgeStop& a, const EdgeStop& b) {
-    const double s = a.parameter, t = b.parameter;
+    const double s = a.parameter, t = b.parameter, reach = std::max(a.reach, b.reach);
     const Vec3 point = vec(of.curve->Value(s));
     return distance(point, vec(of.curve->Value(t))) <= reach &&
            distance(point, vec(of.curve->Value(0.5 * (s + t)))) <= reach;
@@ -119,7 +120,12 @@ struct EdgeMeetings {
     std::size_t face = 0;
     double reach = 0;
   };
-  double reach = 0;  // the largest by which anything was found
+  explicit EdgeMeetings(const TopoDS_Edge& edge)
+      : of(curve_of(edge)), box(bounds_of(edge)), tolerance(BRep_Tool::Tolerance(edge)) {}
+
+  RangedCurve of;
+  Bnd_Box box;       // of the edge
+  double tolerance;  // which it states
   std::vector<EdgeStop> stops;
   std::vector<Run> in_surfaces;
   std::vector<Interval> along_edges;
@@ -135,9 +141,24 @@ struct EdgeMeetings {
     open = open || found.status == Status::Stopped ||
            std::ranges::count(found.places, PlaceKind::Open, &CurvePlace::kind) > 0;
   }
-  void add_run(const Interval& run, bool sure) {
-    stops.push_back({run.from, sure});
-    stops.push_back({run.to, sure});
+  void add_run(const Interval& run, double reach, bool sure) {
+    stops.push_back({run.from, reach, sure});
+    stops.push_back({run.to, reach, sure});
+  }
+  // Where more counts as common than was asked for.
+  void tell_reach(double asked) {
+    double largest = 0;
+    for (const EdgeStop& stop : stops) largest = std::max(largest, stop.reach);
+    if (largest <= asked) return;
+    status = weaker(status, Status::Tolerance);
+    std::ostringstream reason;
+    reason << "what is within " << largest << " mm of an edge counts as on it: the shapes state it";
+    reasons.push_back(reason.str());
+  }
+  // The work ends here.
+  void stop() {
+    status = Status::Stopped;
+    open = true;
   }
 };
 
@@ -164,25 +185,23 @@ EdgeDivider::EdgeDivider(const TopoDS_Shape& shape, const std::vector<TopoDS_Sol
 EdgeDivider::~EdgeDivider() = default;
 
 void EdgeDivider::meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met) {
-  const RangedCurve of = curve_of(edge);
-  for (std::size_t i = 0; i < shape_->faces.size(); ++i) {
+  for (std::size_t i = 0; i < shape_->faces.size() && !met.open; ++i) {
     const auto& [face, box] = shape_->faces[i];
-    const double reach =
-        reach_of(tolerance_, BRep_Tool::Tolerance(edge), BRep_Tool::Tolerance(face));
-    if (box.IsOut(box_round(edge, reach))) continue;
+    const double reach = reach_of(tolerance_, met.tolerance, BRep_Tool::Tolerance(face));
+    if (box.IsOut(enlarged(met.box, reach))) continue;
+    if (limit_.is_reached()) return met.stop();
     IntersectionOptions options = limit_.remaining_alone();
     options.tolerances.point = reach;
     const CurveSurfaceIntersection found = intersect(edge, face, options);
     met.add_state(found);
-    met.reach = std::max(met.reach, reach);
-    for (const CurveSurfacePoint& point : found.points) met.stops.push_back({point.t});
+    for (const CurveSurfacePoint& point : found.points) met.stops.push_back({point.t, reach});
     bool lies = false;  // a touch is one place
     for (const CurveSurfaceOverlap& run : found.overlaps) {
-      const bool touch = passes(of, run.t, chart_of(i).feet, reach);
+      const bool touch = passes(met.of, run.t, chart_of(i).feet, reach);
       if (touch)
-        met.stops.push_back({at(run.t, 0.5)});
+        met.stops.push_back({at(run.t, 0.5), reach});
       else
-        met.add_run(run.t, false);
+        met.add_run(run.t, reach, false);
       lies = lies || !touch;
     }
     if (lies) met.in_surfaces.push_back({i, reach});
@@ -191,37 +210,33 @@ void EdgeDivider::meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met) {
 
 void EdgeDivider::meet_edges(const TopoDS_Edge& edge, EdgeMeetings& met) {
   for (const auto& [other, box] : shape_->edges) {
-    const double reach =
-        reach_of(tolerance_, BRep_Tool::Tolerance(edge), BRep_Tool::Tolerance(other));
-    if (box.IsOut(box_round(edge, reach))) continue;
+    if (met.open) return;
+    const double reach = reach_of(tolerance_, met.tolerance, BRep_Tool::Tolerance(other));
+    if (box.IsOut(enlarged(met.box, reach))) continue;
     if (other.IsSame(edge)) {
-      met.along_edges.push_back(curve_of(edge).range);
+      met.along_edges.push_back(met.of.range);
       continue;
     }
+    if (limit_.is_reached()) return met.stop();
     IntersectionOptions options = limit_.remaining_alone();
     options.tolerances.point = reach;
     const CurveIntersection found = intersect(edge, other, options);
     met.add_state(found);
-    met.reach = std::max(met.reach, reach);
-    for (const CurvePoint& point : found.points) met.stops.push_back({point.a});
+    for (const CurvePoint& point : found.points) met.stops.push_back({point.a, reach});
     for (const CurveOverlap& run : found.overlaps) {
-      met.add_run(run.a, true);
+      met.add_run(run.a, reach, true);
       met.along_edges.push_back(run.a);
     }
   }
 }
 
-void EdgeDivider::meet_vertices(const TopoDS_Edge& edge, EdgeMeetings& met) const {
-  const RangedCurve of = curve_of(edge);
+void EdgeDivider::meet_vertices(EdgeMeetings& met) const {
   for (const TopoDS_Vertex& vertex : shape_->vertices) {
-    const double reach =
-        reach_of(tolerance_, BRep_Tool::Tolerance(edge), BRep_Tool::Tolerance(vertex));
+    const double reach = reach_of(tolerance_, met.tolerance, BRep_Tool::Tolerance(vertex));
     const gp_Pnt point = BRep_Tool::Pnt(vertex);
-    if (box_round(edge, reach).IsOut(point)) continue;
-    const EdgeFoot foot = foot_on(of, point);
-    if (foot.distance > reach) continue;
-    met.stops.push_back({foot.parameter});
-    met.reach = std::max(met.reach, reach);
+    if (enlarged(met.box, reach).IsOut(point)) continue;
+    const EdgeFoot foot = foot_on(met.of, point);
+    if (foot.distance <= reach) met.stops.push_back({foot.parameter, reach});
   }
 }
 
@@ -255,9 +270,7 @@ std::optional<WireSide> EdgeDivider::side_in_solids(const Vec3& point) {
   return told ? std::optional(WireSide::Outside) : std::nullopt;
 }
 
-std::optional<WireSide> EdgeDivider::side_of(const TopoDS_Edge& edge, const EdgeMeetings& met,
-                                             const Interval& piece) {
-  const RangedCurve of = curve_of(edge);
+std::optional<WireSide> EdgeDivider::side_of(const EdgeMeetings& met, const Interval& piece) {
   const double middle = at(piece, 0.5);
   const auto holds = [middle](const Interval& run) {
     return run.from <= middle && middle <= run.to;
@@ -265,28 +278,30 @@ std::optional<WireSide> EdgeDivider::side_of(const TopoDS_Edge& edge, const Edge
   if (std::ranges::any_of(met.along_edges, holds)) return WireSide::On;
   for (const EdgeMeetings::Run& run : met.in_surfaces)
     if (std::ranges::all_of(kAskedAt, [&](double part) {
-          return lies_on(run.face, vec(of.curve->Value(at(piece, part))), run.reach);
+          return lies_on(run.face, vec(met.of.curve->Value(at(piece, part))), run.reach);
         }))
       return WireSide::On;
   for (const double part : kAskedAt)
-    if (const auto side = side_in_solids(vec(of.curve->Value(at(piece, part))))) return side;
+    if (const auto side = side_in_solids(vec(met.of.curve->Value(at(piece, part))))) return side;
   return {};
 }
 
 DividedEdge EdgeDivider::divide(const TopoDS_Edge& edge) {
-  EdgeMeetings met;
+  EdgeMeetings met(edge);
+  if (limit_.is_reached()) met.stop();
   meet_faces(edge, met);
   meet_edges(edge, met);
-  meet_vertices(edge, met);
+  if (!met.open) meet_vertices(met);
+  met.tell_reach(tolerance_);
   DividedEdge divided{met.status, {}, {}, met.reasons};
   if (met.open) {
     divided.obstacle = "it is not known where an edge meets the other shape";
     return divided;
   }
-  const std::vector<EdgeStop> stops = distinct_stops(met.stops, curve_of(edge), met.reach);
+  const std::vector<EdgeStop> stops = distinct_stops(met.stops, met.of);
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
     const Interval range{stops[i].parameter, stops[i + 1].parameter};
-    const std::optional<WireSide> side = side_of(edge, met, range);
+    const std::optional<WireSide> side = side_of(met, range);
     if (!side) divided.obstacle = "no ray tells on which side of a solid a piece of an edge lies";
     add_piece({range, side.value_or(WireSide::Outside)}, stops[i].sure, divided.pieces);
   }
@@ -296,19 +311,20 @@ DividedEdge EdgeDivider::divide(const TopoDS_Edge& edge) {
 std::optional<WireSide> EdgeDivider::side_of(const TopoDS_Vertex& vertex) {
   const gp_Pnt point = BRep_Tool::Pnt(vertex);
   const double own = BRep_Tool::Tolerance(vertex);
+  const Bnd_Box own_box = bounds_of(vertex);
   for (const TopoDS_Vertex& other : shape_->vertices)
     if (BRep_Tool::Pnt(other).Distance(point) <=
         reach_of(tolerance_, own, BRep_Tool::Tolerance(other)))
       return WireSide::On;
   for (const auto& [edge, box] : shape_->edges) {
     const double reach = reach_of(tolerance_, own, BRep_Tool::Tolerance(edge));
-    if (!box.IsOut(box_round(vertex, reach)) && foot_on(curve_of(edge), point).distance <= reach)
+    if (!box.IsOut(enlarged(own_box, reach)) && foot_on(curve_of(edge), point).distance <= reach)
       return WireSide::On;
   }
   for (std::size_t i = 0; i < shape_->faces.size(); ++i) {
     const auto& [face, box] = shape_->faces[i];
     const double reach = reach_of(tolerance_, own, BRep_Tool::Tolerance(face));
-    if (!box.IsOut(box_round(vertex, reach)) && lies_on(i, vec(point), reach)) return WireSide::On;
+    if (!box.IsOut(enlarged(own_box, reach)) && lies_on(i, vec(point), reach)) return WireSide::On;
   }
   return side_in_solids(vec(point));
 }

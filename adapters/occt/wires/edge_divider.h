@@ -47,18 +47,20 @@ struct ObstacleChart;
 ///
 /// What is nearer than the tolerance, or than what the two state of which one is asked about the
 /// other, is a common point. Common points that the edge does not leave by more than that between
-/// them are one, and the ends of the edge come first: so no piece is shorter.
+/// them are one, and the ends of the edge come first.
 class EdgeDivider {
  public:
   /// shape     kept
   /// solids    the closed ones in it
   /// options   kept by reference; their limits are those of all questions together
-  /// throws    BadModel if a face cannot be converted, as the questions may
   EdgeDivider(const TopoDS_Shape& shape, const std::vector<TopoDS_Solid>& solids,
               const IntersectionOptions& options);
   ~EdgeDivider();
 
-  /// edge   has a curve in space
+  /// edge     has a curve in space
+  /// throws   BadModel if a face that it comes near cannot be converted
+  ///
+  /// Once a limit is reached the status is Stopped, and there are no pieces.
   DividedEdge divide(const TopoDS_Edge& edge);
 
   /// Nothing if rays do not tell.
@@ -67,9 +69,8 @@ class EdgeDivider {
  private:
   void meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met);
   void meet_edges(const TopoDS_Edge& edge, EdgeMeetings& met);
-  void meet_vertices(const TopoDS_Edge& edge, EdgeMeetings& met) const;
-  std::optional<WireSide> side_of(const TopoDS_Edge& edge, const EdgeMeetings& met,
-                                  const Interval& piece);
+  void meet_vertices(EdgeMeetings& met) const;
+  std::optional<WireSide> side_of(const EdgeMeetings& met, const Interval& piece);
   const ObstacleChart& chart_of(std::size_t face);
   bool lies_on(std::size_t face, const Vec3& point, double reach);
   std::optional<WireSide> side_in_solids(const Vec3& point);

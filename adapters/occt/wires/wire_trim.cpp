@@ -91,7 +91,17 @@ struct WirePieces {
   }
 };
 
-// Adds what of a shape's edges and vertices lies on the wanted sides of another one.
+// Adds what of a shape's lone vertices lies on the wanted sides of another one.
+void take_vertices(const TopoDS_Shape& of, EdgeDivider& by, SolidOperation operation,
+                   WirePieces& pieces, SolidTrimResult& result) {
+  for (const TopoDS_Vertex& vertex : lone_vertices(of)) {
+    const std::optional<WireSide> side = by.side_of(vertex);
+    if (!side) result.obstacles.emplace_back("no ray tells on which side of a solid a vertex lies");
+    if (side && is_wanted(*side, operation)) pieces.add(vertex);
+  }
+}
+
+// Likewise of its edges and lone vertices, as far as nothing stands against the result.
 void take_wires(const TopoDS_Shape& of, EdgeDivider& by, SolidOperation operation,
                 WirePieces& pieces, SolidTrimResult& result) {
   for (const TopoDS_Edge& edge : edges_of(of)) {
@@ -100,15 +110,14 @@ void take_wires(const TopoDS_Shape& of, EdgeDivider& by, SolidOperation operatio
     std::vector<std::string>& reasons = result.certificate.reasons;
     for (const std::string& reason : divided.reasons)
       if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
-    if (!divided.obstacle.empty()) result.obstacles.push_back(divided.obstacle);
+    if (!divided.obstacle.empty()) {
+      result.obstacles.push_back(divided.obstacle);
+      return;
+    }
     for (const WirePiece& piece : divided.pieces)
       if (is_wanted(piece.side, operation)) pieces.add(edge, piece.range);
   }
-  for (const TopoDS_Vertex& vertex : lone_vertices(of)) {
-    const std::optional<WireSide> side = by.side_of(vertex);
-    if (!side) result.obstacles.emplace_back("no ray tells on which side of a solid a vertex lies");
-    if (side && is_wanted(*side, operation)) pieces.add(vertex);
-  }
+  take_vertices(of, by, operation, pieces, result);
 }
 
 TopoDS_Shape combined_wires(const TopoDS_Shape& wires, const WireTool& tool,
@@ -121,6 +130,12 @@ TopoDS_Shape combined_wires(const TopoDS_Shape& wires, const WireTool& tool,
     EdgeDivider by_wires(wires, {}, options);
     take_wires(tool.shape, by_wires, SolidOperation::Cut, pieces, result);
   }
+  // Vertices in common are so whichever of the two comes first.
+  if (operation == SolidOperation::Common && !lone_vertices(tool.shape).empty()) {
+    EdgeDivider by_wires(wires, {}, options);
+    take_vertices(tool.shape, by_wires, operation, pieces, result);
+  }
+  if (!result.obstacles.empty()) return {};
   return joined_curves(pieces.curves, pieces.points);
 }
 
@@ -166,10 +181,13 @@ std::string misplaced_wires(const TrimTool& part, const std::vector<TrimTool>& t
 SolidTrimResult trim_wires(const TrimTool& part, const std::vector<TrimTool>& tools,
                            SolidOperation operation, const IntersectionOptions& options) {
   const SharedLimit limit(options);
+  const WorkLimit own_limit(options);
   SolidTrimResult result;
   result.of_wires = true;
-  const std::vector<WireTool> all = in_order(part, tools, operation);
   try {
+    const TrueInputs sound(part, tools, own_limit);
+    result.tolerances = sound.told();
+    const std::vector<WireTool> all = in_order(sound.part(), sound.tools(), operation);
     TopoDS_Shape so_far = all.front().shape;
     for (std::size_t i = 1; i < all.size() && result.obstacles.empty(); ++i)
       so_far = guarded("combining wires", [&] {
