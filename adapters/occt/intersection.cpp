@@ -39,7 +39,7 @@ std::vector<std::size_t> largest_first(const PairIntersector& intersector, const
 
 // pairs    in increasing order
 ShapeIntersection intersected(const PairIntersector& intersector, const FaceCopies& copies,
-                              const FacePairs& pairs) {
+                              const FacePairs& pairs, const IntersectionOptions& options) {
   std::vector<FaceIntersection> found(pairs.size());
   const std::vector<std::size_t> places = exchanged_places(copies, pairs);
   const std::vector<std::size_t> order = largest_first(intersector, pairs);
@@ -53,6 +53,8 @@ ShapeIntersection intersected(const PairIntersector& intersector, const FaceCopi
   });
   ShapeIntersection result;
   result.face_pairs = static_cast<long>(pairs.size());
+  result.tolerance = options.tolerances.point;
+  result.time_limit = options.time_limit;
   for (FaceIntersection& pair : found) {
     result.status = weaker(result.status, pair.found.status);
     add(result.certificate, pair.found.certificate);
@@ -76,8 +78,8 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
     convert_meeting(faces_a, faces_b, pairs);
     const FaceCopies copies(faces_a, faces_b, pairs, tolerance);
     const TouchedPlanes touched(faces_a, faces_b, pairs, tolerance);
-    result =
-        intersected({faces_a, faces_b, copies, touched, Shared::Listed, options}, copies, pairs);
+    result = intersected({faces_a, faces_b, copies, touched, Shared::Listed, options}, copies,
+                         pairs, options);
   });
   return result;
 }
@@ -94,7 +96,8 @@ ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfScop
     convert_meeting(list, list, pairs);
     const FaceCopies none(list, list, {}, options.tolerances.point);
     const TouchedPlanes untouched(list, list, {}, options.tolerances.point);
-    result = intersected({list, list, none, untouched, Shared::LeftOut, options}, none, pairs);
+    result =
+        intersected({list, list, none, untouched, Shared::LeftOut, options}, none, pairs, options);
   });
   return result;
 }

@@ -59,6 +59,8 @@ struct ShapeIntersection {
   std::vector<FaceIntersection> pairs;  ///< only pairs with something to tell
   Certificate certificate;              ///< summed over all pairs
   long face_pairs = 0;                  ///< pairs whose boxes met
+  double tolerance = 0;                 ///< of points, that was asked for
+  double time_limit = 0;                ///< likewise, seconds; 0: none
 };
 
 /// Intersects every face of one list with every face of the other. Faces are converted where the

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
@@ -15,6 +16,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/splitting/edges/joined_curves.h"
 #include "adapters/occt/wires/edge_divider.h"
@@ -66,16 +68,19 @@ TopTools_MapOfShape free_edges(const std::vector<TopoDS_Face>& faces) {
 // Where a common region ends with one of its faces, and no neighbour of that crosses the other one:
 // what of its free edges lies in the other face.
 void add_free_borders(const TopoDS_Face& of, const TopTools_MapOfShape& free,
-                      const TopoDS_Face& other, std::vector<FoundCurve>& curves) {
-  const IntersectionOptions options;
+                      const TopoDS_Face& other, const SharedLimit& limit,
+                      std::vector<FoundCurve>& curves, std::vector<std::string>& lost) {
+  const IntersectionOptions options = limit.remaining_alone();
   std::optional<EdgeDivider> divider;
   for (TopExp_Explorer it(of, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge edge = TopoDS::Edge(it.Current());
     if (!free.Contains(edge) || BRep_Tool::Degenerated(edge)) continue;
     if (!divider) divider.emplace(other, std::vector<TopoDS_Solid>(), options);
-    const double tolerance = BRep_Tool::Tolerance(edge);
+    const double tolerance = std::max(BRep_Tool::Tolerance(edge), options.tolerances.point);
     const RangedCurve curve = curve_of(edge);
     const DividedEdge divided = divider->divide(edge);
+    if (!divided.obstacle.empty() && std::ranges::find(lost, divided.obstacle) == lost.end())
+      lost.push_back(divided.obstacle);
     const bool closed = divided.pieces.size() == 1 && BRep_Tool::IsClosed(edge);
     for (const WirePiece& piece : divided.pieces)
       if (piece.side == WireSide::On)
@@ -89,8 +94,14 @@ void add_free_borders(const TopoDS_Face& of, const TopTools_MapOfShape& free,
 
 }  // namespace
 
-TopoDS_Compound compound_of(const ShapeIntersection& found, const std::vector<TopoDS_Face>& a,
-                            const std::vector<TopoDS_Face>& b) {
+JoinedIntersection joined_intersection(const ShapeIntersection& found,
+                                       const std::vector<TopoDS_Face>& a,
+                                       const std::vector<TopoDS_Face>& b) {
+  IntersectionOptions options;
+  options.tolerances.point = found.tolerance;
+  options.time_limit = found.time_limit;
+  const SharedLimit limit(options);
+  JoinedIntersection made;
   std::vector<FoundCurve> curves;
   std::vector<FoundPoint> points;
   const TopTools_MapOfShape free_a = free_edges(a), free_b = free_edges(b);
@@ -99,8 +110,8 @@ TopoDS_Compound compound_of(const ShapeIntersection& found, const std::vector<To
     const TopoDS_Face& face_b = b[static_cast<std::size_t>(pair.face_b)];
     const double stated = std::max(stated_by(face_a), stated_by(face_b));
     if (std::ranges::count(pair.found.places, PlaceKind::Overlap, &Place::kind) > 0) {
-      add_free_borders(face_a, free_a, face_b, curves);
-      add_free_borders(face_b, free_b, face_a, curves);
+      add_free_borders(face_a, free_a, face_b, limit, curves, made.lost);
+      add_free_borders(face_b, free_b, face_a, limit, curves, made.lost);
     }
     for (std::size_t i = 0; i < pair.edges.size(); ++i)
       curves.push_back(found_curve(pair.edges[i], pair.found, i, stated));
@@ -109,7 +120,9 @@ TopoDS_Compound compound_of(const ShapeIntersection& found, const std::vector<To
       points.push_back({contact.point, std::max(Precision::Confusion(), reach)});
     }
   }
-  return guarded("joining intersection curves", [&] { return joined_curves(curves, points); });
+  made.wires =
+      guarded("joining intersection curves", [&] { return joined_curves(curves, points); });
+  return made;
 }
 
 }  // namespace blossom::occt

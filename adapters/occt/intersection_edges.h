@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <TopoDS_Compound.hxx>
@@ -16,12 +17,19 @@ namespace blossom::occt {
 /// The faces of a shape in the order of TopExp::MapShapes: face number k is at place k - 1.
 std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape);
 
+struct JoinedIntersection {
+  TopoDS_Compound wires;
+  std::vector<std::string> lost;  ///< why borders of common regions are not all in it
+};
+
 /// What two shapes have in common as wires of edges with common vertices, each stretch once, and
 /// vertices at isolated contacts, as `joined_curves` has them. Of common regions these are the
-/// borders: where faces end freely, what of their edges lies in the other face.
+/// borders: where faces end freely, what of their edges lies in the other face, within the
+/// tolerance of the intersection. These are looked for within its time limit, once more.
 /// a, b     the lists that were intersected; one list twice for `self_intersect`
 /// throws   Failure if Open CASCADE refuses one
-TopoDS_Compound compound_of(const ShapeIntersection& found, const std::vector<TopoDS_Face>& a,
-                            const std::vector<TopoDS_Face>& b);
+JoinedIntersection joined_intersection(const ShapeIntersection& found,
+                                       const std::vector<TopoDS_Face>& a,
+                                       const std::vector<TopoDS_Face>& b);
 
 }  // namespace blossom::occt

@@ -148,8 +148,9 @@ Answer answer_of(SharedFound found) {
                 const BothTurns turns(*found->a, *found->b, Watch());
                 return std::make_shared<LoadedModel>(
                     "intersection",
-                    occt::compound_of(found->intersection, found->a->input().faces,
-                                      (found->itself ? found->a : found->b)->input().faces));
+                    occt::joined_intersection(found->intersection, found->a->input().faces,
+                                              (found->itself ? found->a : found->b)->input().faces)
+                        .wires);
               },
           .records =
               [found] {

@@ -87,7 +87,7 @@ std::string face_name(const Input& input, int index) {
 
 occt::Model joined_model(const Input& a, const Input& b, const occt::ShapeIntersection& found) {
   occt::Model model;
-  model.add(occt::compound_of(found, a.faces, b.faces),
+  model.add(occt::joined_intersection(found, a.faces, b.faces).wires,
             a.model.file().filename().string() + " x " + b.model.file().filename().string(),
             kEdgeColour);
   return model;

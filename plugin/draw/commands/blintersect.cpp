@@ -6,6 +6,7 @@
 
 #include <DBRep.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/border_numbers.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
@@ -42,7 +43,9 @@ std::string intersect_named(const Words& words) {
 
   std::size_t curves = 0;  // one across seams counts once
   for (const occt::FaceIntersection& pair : found.pairs) curves += pair.chains.size();
-  DBRep::Set(words[0].c_str(), occt::compound_of(found, of_a, of_b));
+  const occt::JoinedIntersection joined = occt::joined_intersection(found, of_a, of_b);
+  if (!joined.lost.empty()) throw occt::Failure(joined.lost.front());
+  DBRep::Set(words[0].c_str(), joined.wires);
   return std::to_string(curves) + " " + to_string(found.status) +
          contacts_list(found, occt::BorderNumbers(a), occt::BorderNumbers(b));
 }

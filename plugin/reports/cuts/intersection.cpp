@@ -147,12 +147,10 @@ void add_findings(const Input& a, const Input& b, const occt::ShapeIntersection&
     for (const Place& place : pair.found.places)
       report["places"].push_back(with_faces(faces, to_json(place)));
   }
-  const WireFacts joined = facts_of(occt::compound_of(found, a.faces, b.faces));
-  report["joined"] = {{"wires", joined.wires},
-                      {"closed", joined.closed},
-                      {"edges", joined.edges},
-                      {"points", joined.points},
-                      {"length", joined.length}};
+  const occt::JoinedIntersection whole = occt::joined_intersection(found, a.faces, b.faces);
+  const WireFacts joined = facts_of(whole.wires);
+  report["joined"] = {{"wires", joined.wires},   {"closed", joined.closed}, {"edges", joined.edges},
+                      {"points", joined.points}, {"length", joined.length}, {"lost", whole.lost}};
   report["certificate"] = to_json(found.certificate);
   report["certificate"]["face_pairs"] = found.face_pairs;
 }

@@ -61,7 +61,7 @@ Parts parts_of(const TopoDS_Shape& all) {
 
 Parts common_of(const TopoDS_Shape& a, const TopoDS_Shape& b) {
   const std::vector<TopoDS_Face> of_a = faces_of(a), of_b = faces_of(b);
-  return parts_of(compound_of(intersect(of_a, of_b), of_a, of_b));
+  return parts_of(joined_intersection(intersect(of_a, of_b), of_a, of_b).wires);
 }
 
 void expect_wires(const Parts& found, const Parts& wanted) {
@@ -136,7 +136,7 @@ TEST(JoinedIntersection, JoinsWhatIsApartByWhatFacesState) {
   // The fronts of both, in a wall that crosses them.
   const std::vector<TopoDS_Face> fronts{faces_of(low)[2], faces_of(high)[2]};
   const std::vector<TopoDS_Face> wall = faces_of(box({1, -1, -1}, {2, 1, 5}));
-  const Parts parts = parts_of(compound_of(intersect(fronts, wall), fronts, wall));
+  const Parts parts = parts_of(joined_intersection(intersect(fronts, wall), fronts, wall).wires);
   EXPECT_EQ(parts.wires, 2);
   EXPECT_EQ(parts.edges, 4);
   EXPECT_EQ(parts.vertices, 6);
@@ -174,6 +174,16 @@ TEST(JoinedIntersection, OfSheetsHasTheBorderOfTheirCommonRegion) {
     EXPECT_EQ(inside.edges, 1);
   }
   EXPECT_NEAR(common_of(square, square).length, 16, 1e-9);
+  // A region that is common by the tolerance alone has its border by that, too, and once.
+  const gp_Pln above(gp_Pnt(0, 0, 5e-5), gp_Dir(0, 0, 1));
+  const std::vector<TopoDS_Face> low{TopoDS::Face(square)};
+  const std::vector<TopoDS_Face> high{BRepBuilderAPI_MakeFace(above, 1, 6, 2, 6).Face()};
+  IntersectionOptions options;
+  options.tolerances.point = 1e-4;
+  const JoinedIntersection near = joined_intersection(intersect(low, high, options), low, high);
+  EXPECT_TRUE(near.lost.empty());
+  EXPECT_NEAR(parts_of(near.wires).length, 10, 1e-3);
+  EXPECT_EQ(parts_of(near.wires).edges, 4);
   // Two of its edges lie on edges of the box.
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, -3), gp_Pnt(5, 5, 0)).Shape();
   const Parts on_box = common_of(box, square);

@@ -200,12 +200,15 @@ std::string place_text(const Place& place, const std::vector<Vec3>& points) {
 }
 
 // What the curves of all pairs come to.
-std::string joined_text(const reports::WireFacts& joined) {
+std::string joined_text(const occt::JoinedIntersection& whole) {
+  const reports::WireFacts joined = reports::facts_of(whole.wires);
   std::ostringstream text;
   text << "  joined: " << counted(joined.wires, "wire") << " (" << joined.closed << " closed), "
        << counted(joined.edges, "edge");
   if (joined.points > 0) text << ", " << counted(joined.points, "point");
   text << ", length " << short_number(joined.length) << "\n";
+  for (const std::string& reason : whole.lost)
+    text << "  borders of common regions are not all in it: " << reason << "\n";
   return text.str();
 }
 
@@ -219,7 +222,7 @@ std::string intersection_text(const Input& a, const Input& b, const std::string&
   text << to_string(stated(found.status)) << ", " << counts_text(counts) << ", "
        << seconds_text(times.seconds) << "\n";
   if (counts.curves > 1 || counts.overlaps > 0)
-    text << joined_text(reports::facts_of(occt::compound_of(found, a.faces, b.faces)));
+    text << joined_text(occt::joined_intersection(found, a.faces, b.faces));
   const PairNames names(a, b);
   for (const occt::FaceIntersection& pair : found.pairs) list_findings(a, names, pair, text);
   list_places(names, found, text);
