@@ -3,6 +3,7 @@
 
 #include <list>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -20,6 +21,7 @@
 #include "plugin/reports/cuts/trim.h"
 #include "plugin/reports/cuts/watertight.h"
 #include "plugin/reports/models/repairs.h"
+#include "plugin/reports/models/selection.h"
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -105,11 +107,8 @@ occt::TrimTool named_tool(const occt::Model& model, const std::string& name) {
 
 // The model of an input, or of the parts that it names alone.
 const occt::Model& named_of(const reports::Input& input, std::list<occt::Model>& alone) {
-  if (static_cast<int>(input.numbers.size()) == input.model.face_count()) return input.model;
-  if (!reports::is_of_solids(input))
-    throw occt::BadModel(input.name +
-                         ": whole models or parts are wanted, not some of their faces");
-  return alone.emplace_back(reports::alone(input));
+  std::optional<occt::Model> named = reports::alone_for_solids(input);
+  return named ? alone.emplace_back(std::move(*named)) : input.model;
 }
 
 // What gives the faces of a cut along a plane their name: the plane as a part.
@@ -123,7 +122,7 @@ occt::Model plane_model(const occt::Plane& plane, const TopoDS_Shape& part,
 // The part with what was made in the place of its solids.
 occt::Model combined_model(const occt::SolidTrimResult& made, const occt::Model& part,
                            const std::vector<const occt::Model*>& tools) {
-  if (made.of_wires) return reports::wires_model(made);
+  if (made.of_wires) return reports::wires_model(made, part);
   if (!made.sheets.empty()) return reports::sheets_model(made, part, tools);
   occt::Model model = part.copy();
   std::vector<occt::CombinedSolid> solids;

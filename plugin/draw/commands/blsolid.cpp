@@ -8,6 +8,7 @@
 #include <BRep_Builder.hxx>
 #include <DBRep.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 
@@ -59,7 +60,9 @@ std::string answer_to_blsolid(const Words& words) {
     DBRep::Set(words[0].c_str(), made.wires);
     TopTools_IndexedMapOfShape edges;
     TopExp::MapShapes(made.wires, TopAbs_EDGE, edges);
-    return std::to_string(edges.Extent()) + " " + to_string(made.status) + " " +
+    int shapes = edges.Extent();
+    for (TopExp_Explorer it(made.wires, TopAbs_VERTEX, TopAbs_EDGE); it.More(); it.Next()) ++shapes;
+    return std::to_string(shapes) + " " + to_string(made.status) + " " +
            tcl_number(made.lengths.result);
   }
   DBRep::Set(words[0].c_str(),
@@ -75,7 +78,8 @@ const Command kBlsolid{
     "blsolid", "result cut|common|fuse|split part tool [tool ...]",
     "\n\t\t: closed solids, sheets of faces, or wires, combined. The answer is the number of "
     "solids,"
-    "\n\t\t: sheets or edges, complete or tolerance, and their volume, area or length.",
+    "\n\t\t: sheets, or edges and vertices off them, complete or tolerance, and their volume, area "
+    "or length.",
     answer_to_blsolid};
 
 }  // namespace blossom::draw

@@ -72,9 +72,18 @@ class Solid(Result):
         wires = [counts] if any(counts.values()) else []
         return list(told["solids"]) + list(told["sheets"]) + wires
 
+    def _shapes(self) -> str:
+        told = self._told()
+        edges, vertices = told["wires"]["edges"], told["wires"]["vertices"]
+        lone = "1 vertex" if vertices == 1 else f"{vertices} vertices"
+        if vertices:
+            return f"{counted(edges, 'edge')} and {lone}" if edges else lone
+        if edges or any(self.lengths.values()):
+            return counted(edges, "edge")
+        return counted(len(self), "sheet" if told["sheets"] else "solid")
+
     def _summary(self) -> str:
-        kind = "sheet" if self._told()["sheets"] else "solid"
-        told = f"{self.operation}, {self.status}, {counted(len(self), kind)}"
+        told = f"{self.operation}, {self.status}, {self._shapes()}"
         return f"{told}, {self.obstacles[0]}" if self.obstacles else told
 
 

@@ -27,6 +27,9 @@ std::string tool_name(const SolidAnswer& answer, int tool) {
                                      : plane_name(index - answer.tools.size());
 }
 
+// Relative. Lengths of what is not cut differ by rounding of their sums.
+constexpr double kSameLength = 1e-9;
+
 // Faces that nothing reached are those of the inputs, and may be invalid as they were given.
 std::vector<std::string> invalid_as_given(const SolidAnswer& answer) {
   std::vector<std::string> told;
@@ -40,12 +43,21 @@ std::vector<std::string> invalid_as_given(const SolidAnswer& answer) {
   return told;
 }
 
+// Whether a cut left all of the part's wires.
+bool leaves_all_wires(const SolidAnswer& answer) {
+  const occt::TotalLengths& lengths = answer.made.lengths;
+  return answer.made.of_wires && answer.operation == "cut" && answer.made.obstacles.empty() &&
+         lengths.part > 0 && lengths.part - lengths.result <= kSameLength * lengths.part;
+}
+
 // Planes, and tools that are to split, of which nothing is in the result. What is cut off may have
-// been all of a solid.
+// been all of a solid. Of what cuts wires only all together tell.
 std::vector<std::string> idle_tools(const SolidAnswer& answer) {
   const std::size_t all = answer.tools.size() + answer.planes.size();
   const std::size_t first = answer.operation == "split" ? 0 : answer.tools.size();
   std::vector<std::string> told;
+  for (std::size_t i = 0; i < all && leaves_all_wires(answer); ++i)
+    told.push_back(tool_name(answer, static_cast<int>(i)) + " cuts nothing of the wires");
   for (std::size_t i = first; i < all && !answer.made.solids.empty(); ++i)
     if (std::ranges::none_of(answer.made.faces, [i](const occt::SolidFace& face) {
           return face.tool == static_cast<int>(i);
@@ -163,9 +175,15 @@ occt::Model sheets_model(const occt::SolidTrimResult& made, const occt::Model& p
   return model;
 }
 
-occt::Model wires_model(const occt::SolidTrimResult& made) {
+occt::Model wires_model(const occt::SolidTrimResult& made, const occt::Model& part) {
+  const std::vector<occt::AssemblyNode> roots = part.assembly();
+  std::string name;
+  if (part.face_count() > 0)
+    name = part.part_name(1);
+  else if (!roots.empty())
+    name = roots.front().name;
   occt::Model model;
-  model.add(made.wires, "wires");
+  model.add(made.wires, name.empty() ? "wires" : name);
   return model;
 }
 

@@ -49,8 +49,9 @@ std::vector<occt::FaceOrigin> origins_of(const TopoDS_Shape& shape,
 occt::Model sheets_model(const occt::SolidTrimResult& made, const occt::Model& part,
                          const std::vector<const occt::Model*>& tools);
 
-/// The wires of a result, and vertices off them, as one part.
-occt::Model wires_model(const occt::SolidTrimResult& made);
+/// The wires of a result, and vertices off them, as one part: named as that of the part's first
+/// face, or as its first part where it has no faces.
+occt::Model wires_model(const occt::SolidTrimResult& made, const occt::Model& part);
 
 /// How many edges and lone vertices they have: "3 edges and a vertex".
 std::string counted_wires(const occt::SolidTrimResult& made);

@@ -278,6 +278,20 @@ occt::Model alone(const Input& input) {
   return model;
 }
 
+std::optional<occt::Model> alone_for_solids(const Input& input) {
+  if (!input.edges.empty() && input.numbers.empty()) {
+    occt::Model model;
+    model.add(input.selected, "edges");
+    return model;
+  }
+  if (input.edges.empty() && static_cast<int>(input.numbers.size()) == input.model.face_count())
+    return std::nullopt;
+  if (!input.edges.empty() || !is_of_solids(input))
+    throw occt::BadModel(input.name +
+                         ": whole models, solids or edges are wanted, not some of their faces");
+  return alone(input);
+}
+
 std::vector<std::string> words_in(const occt::Model& model, const std::string& list) {
   const Selecting names(model);
   std::vector<std::string> entries, words;

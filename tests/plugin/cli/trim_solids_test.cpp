@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -18,11 +19,13 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Dir.hxx>
 #include <gp_Pln.hxx>
@@ -62,6 +65,28 @@ class TrimSolidsCommand : public ::testing::Test {
 
   testing::TestFolder folder;
 };
+
+// Lines through the box and past it.
+TEST_F(TrimSolidsCommand, TakesNamedEdgesAsWires) {
+  BRep_Builder builder;
+  TopoDS_Compound lines;
+  builder.MakeCompound(lines);
+  for (const double y : {0., 9.})
+    builder.Add(lines, BRepBuilderAPI_MakeEdge(gp_Pnt(-5, y, 1), gp_Pnt(5, y, 1)).Edge());
+  write(lines, "lines.brep");
+  const auto cut = [&](const std::string& edge) {
+    const Finished run = blossom({"trim", (folder / "lines.brep").string() + "#edge:" + edge,
+                                  folder / "box.brep", "--solid", "cut", "--json", "-"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    return json::parse(run.out);
+  };
+  const json through = cut("1"), past = cut("2");
+  EXPECT_NEAR(through["wires"]["lengths"]["part"], 10, 1e-9);
+  EXPECT_NEAR(through["wires"]["lengths"]["result"], 6, 1e-6);
+  EXPECT_TRUE(through["idle"].empty());
+  EXPECT_NEAR(past["wires"]["lengths"]["result"], 10, 1e-9);
+  EXPECT_EQ(past["idle"].size(), 1U);
+}
 
 // Beside the box, farther away than the tolerance.
 TEST_F(TrimSolidsCommand, FusesAcrossAGapThatFuzzyCovers) {

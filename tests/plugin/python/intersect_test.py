@@ -200,6 +200,7 @@ class Arguments(unittest.TestCase):
             self.assertEqual(made.obstacles, [])
             self.assertEqual(sum(item["edges"] for item in made), edges)
             self.assertAlmostEqual(made.lengths["result"], 2.0 * edges, places=7)
+            self.assertIn(f", {edges} edges", repr(made))
         with self.assertRaisesRegex(ValueError, "wires take nothing off faces and solids"):
             blossom.solid("cut", wall, line)
 

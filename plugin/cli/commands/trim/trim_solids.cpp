@@ -36,6 +36,7 @@
 #include "plugin/reports/cuts/solids.h"
 #include "plugin/reports/cuts/trim.h"
 #include "plugin/reports/models/repairs.h"
+#include "plugin/reports/models/selection.h"
 
 namespace blossom::cli {
 namespace {
@@ -75,13 +76,10 @@ void make_watertight(TimedSolids& timed, const EngineOptions& engine) {
 occt::Model model_of(const std::string& text, Json& repairs, std::string& others) {
   Input input = read_input(text, Faces::Optional);
   repairs.push_back(repairs_json(input));
-  if (static_cast<int>(input.numbers.size()) == input.model.face_count())
-    return std::move(input.model);
-  if (!is_of_solids(input))
-    throw UsageError(text + ": --solid takes whole models or solids, not some of their faces");
+  std::optional<occt::Model> named = reports::alone_for_solids(input);
+  if (!named) return std::move(input.model);
   others = other_parts_text(input, OtherParts::LeftOut);
-  drop_other_faces(input);
-  return std::move(input.model);
+  return std::move(*named);
 }
 
 using Models = std::vector<occt::Model>;
@@ -210,7 +208,7 @@ void replace_shapes(occt::Model& part, const occt::SolidTrimResult& made, const 
   std::vector<const occt::Model*> origins;
   for (const occt::Model& tool : tools) origins.push_back(&tool);
   if (made.of_wires) {
-    part = reports::wires_model(made);
+    part = reports::wires_model(made, part);
     return;
   }
   if (!made.sheets.empty()) {
