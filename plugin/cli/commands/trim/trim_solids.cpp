@@ -22,7 +22,6 @@
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/commands/trim/trim_picture.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
 #include "plugin/cli/output/reasons.h"
