@@ -59,7 +59,7 @@ class Reading(unittest.TestCase):
             self.assertEqual(two.part("solid:2").volume, blossom.read(f"{path}#solid:2").volume)
             faces = two.part(low.face_numbers)
             self.assertEqual(faces.volume, 0)
-            with self.assertRaisesRegex(ValueError, "whole models or parts are wanted, not some"):
+            with self.assertRaisesRegex(ValueError, "whole models, solids or edges are wanted, not some"):
                 faces.solid("cut", DRILL)
 
             low.write(os.path.join(folder, "low#1.step"))
