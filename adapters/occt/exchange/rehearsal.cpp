@@ -151,7 +151,7 @@ using Reader = std::function<void(const Step&)>;  // says what it does
     read([&board](const char* step) {
       board.step[std::string_view(step).copy(board.step, sizeof(board.step) - 1)] = '\0';
     });
-  } catch (...) {  // who reads it after this is told the same, but has no limit of memory
+  } catch (...) {  // faults of the file are told when it is read after this
     board.lacks_memory = is_lack_of_memory();
   }
   board.finished = true;
