@@ -151,9 +151,10 @@ FaceSplitter::LaidCurve FaceSplitter::laid_curve(const TopoDS_Edge& edge,
   return of;
 }
 
-// The edge that takes the place of a piece of another shape's, its chart curve moved by periods.
-TopoDS_Edge FaceSplitter::laid_edge(const EdgePiece& piece, const LaidCurve& of,
-                                    const Vec2& shift) const {
+// The edge that takes the place of a piece of another shape's, its chart curve moved by periods,
+// between vertices of this face: what it meets here may be known to this face alone.
+TopoDS_Edge FaceSplitter::laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift,
+                                    int from, int to) {
   TopLoc_Location location;
   const Handle(Geom_Surface) raw = BRep_Tool::Surface(face_, location);
   const gp_Vec2d move(shift[0] / trims_.scale[0], shift[1] / trims_.scale[1]);
@@ -164,8 +165,15 @@ TopoDS_Edge FaceSplitter::laid_edge(const EdgePiece& piece, const LaidCurve& of,
                      location, of.tolerance);
   builder.Range(edge, piece.range.from, piece.range.to);
   leave_periods(edge);
-  builder.Add(edge, TopExp::FirstVertex(piece.edge).Oriented(TopAbs_FORWARD));
-  builder.Add(edge, TopExp::LastVertex(piece.edge).Oriented(TopAbs_REVERSED));
+  const auto add = [&](int vertex, const TopoDS_Vertex& shape, TopAbs_Orientation end) {
+    Vertex& own = vertices_[static_cast<std::size_t>(vertex)];
+    if (own.shape.IsNull())
+      own.shape =
+          own.split < 0 ? shape : splits_.vertex(edge_of(coedge(own.loop, own.coedge)), own.split);
+    builder.Add(edge, own.shape.Oriented(end));
+  };
+  add(from, TopExp::FirstVertex(piece.edge), TopAbs_FORWARD);
+  add(to, TopExp::LastVertex(piece.edge), TopAbs_REVERSED);
   return edge;
 }
 
@@ -209,7 +217,7 @@ void FaceSplitter::add_laid_arc(const EdgePiece& piece, double reach,
     const int from = vertex(TopExp::FirstVertex(piece.edge), start_of(path));
     const int to = vertex(TopExp::LastVertex(piece.edge), end_of(path));
     arcs_.push_back({from, to, std::move(path), false});
-    origins_.push_back({laid_edge(piece, of, shift), {}, -1, -1, piece.edge});
+    origins_.push_back({laid_edge(piece, of, shift, from, to), {}, -1, -1, piece.edge});
   }
 }
 

@@ -208,7 +208,8 @@ class FaceSplitter {
   void add_laid_arc(const EdgePiece& piece, double reach, const SurfaceProjector& feet);
   void lay_in_pole(const TopoDS_Edge& edge, int loop, int index);
   LaidCurve laid_curve(const TopoDS_Edge& edge, const SurfaceProjector& feet) const;
-  TopoDS_Edge laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift) const;
+  TopoDS_Edge laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift, int from,
+                        int to);
   bool lies_in_face(const EdgePiece& piece, double reach, const SurfaceProjector& feet) const;
   std::vector<int> imprints_among(const std::vector<int>& arcs, OpenCuts open) const;
 

@@ -265,6 +265,9 @@ std::vector<SolidContact> rod_contacts() {
       {"RodLyingOnAPlate", whole_plate, rod({-1, 0, 1.5}, 0.5, 2, gp::DX())},
       {"LongRodLyingOnAPlate", whole_plate, rod({-3, 0, 1.5}, 0.5, 6, gp::DX())},
       {"RodBesideRod", whole, rod({2, 0, 0}, 1, 1)},
+      // Along an edge of the end, and on beyond its corner.
+      {"RodOnTheEndOfAPartOfARod", rod({0, 2, -0.5}, 2, 1.5),
+       rod(kOrigin, 3, 2, gp::DY().Reversed(), 1.5 * kPi)},
       {"RodInABoxAtItsWall", whole_plate, rod({-1, 0, 0.6}, 0.4, 2, gp::DX()), 2 * kPi * 0.16},
       {"RodInACorner", whole_cube, rod({0.5, 0.5, 0}, 0.5, 1), kPi / 4},
   };
