@@ -4,6 +4,16 @@
 #include <algorithm>
 
 namespace blossom {
+namespace {
+
+constexpr double kMinEdgeTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
+constexpr double kEdgeMargin = 1.1;         // of the edge's tolerance over the deviation
+
+}  // namespace
+
+double edge_tolerance(const Deviation& d) {
+  return std::max(kMinEdgeTolerance, kEdgeMargin * std::max({d.a, d.b, d.between}));
+}
 
 const char* to_string(PlaceKind kind) {
   switch (kind) {

@@ -33,6 +33,9 @@ struct Deviation {
   double conic = 0;    ///< 3D spline to the conic, if there is one
 };
 
+/// The tolerance of an edge that a curve becomes, model units.
+double edge_tolerance(const Deviation& deviation);
+
 /// Where a curve ends.
 enum class CurveEnd {
   Closed,   ///< nowhere: the curve is a loop

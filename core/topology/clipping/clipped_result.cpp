@@ -16,13 +16,12 @@
 #include "core/topology/chart_projector.h"
 #include "core/topology/clipping/arcs_past_border.h"
 #include "core/topology/clipping/curve_clip.h"
+#include "core/topology/clipping/shallow_ends.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kMinEdgeTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
-constexpr double kEdgeMargin = 1.1;         // of the edge's tolerance over the deviation
-constexpr double kSamePoint = 1e-6;         // contacts as near as this are one, model units
+constexpr double kSamePoint = 1e-6;  // contacts as near as this are one, model units
 
 SurfacePoint point_of(const IntersectionCurve& curve, double t) {
   return {point_at(curve.curve, t), point_at(curve.chart_a, t), point_at(curve.chart_b, t)};
@@ -228,10 +227,6 @@ Place place_of(const SurfacePoint& x, const std::vector<Place>& places) {
 
 }  // namespace
 
-double edge_tolerance(const Deviation& d) {
-  return std::max(kMinEdgeTolerance, kEdgeMargin * std::max({d.a, d.b, d.between}));
-}
-
 std::vector<IntersectionCurve> curve_parts(const IntersectionCurve& whole,
                                            const std::vector<Interval>& parts) {
   const Interval domain = whole.curve.domain();
@@ -259,6 +254,7 @@ std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const Fa
   const auto add_parts = [&](const IntersectionCurve& curve) {
     std::vector<Interval> parts = clip_to_trims(a, curve.chart_a, tolerance);
     if (b != nullptr) parts = common(curve, parts, clip_to_trims(*b, curve.chart_b, tolerance));
+    move_shallow_ends(curve, a, b, std::max(tolerance, kOnWire), parts);
     move_short_parts(curve, a, b, parts, touches);
     for (IntersectionCurve& part : curve_parts(curve, parts)) curves.push_back(std::move(part));
   };

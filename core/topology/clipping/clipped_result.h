@@ -41,9 +41,6 @@ void add_touches(const std::vector<Touch>& touches, double tolerance, double wit
 void weaken_along_trims(const FaceTrims& a, const FaceTrims& b, double within,
                         SurfaceIntersection& found);
 
-/// The tolerance of an edge that a curve becomes, model units.
-double edge_tolerance(const Deviation& deviation);
-
 /// Sums of counts, the least of angles, all reasons.
 void add(Certificate& sum, const Certificate& one);
 

@@ -90,6 +90,22 @@ TEST(NearContacts, ARimThatCrossesSidesByAFewTolerancesDividesThem) {
   }
 }
 
+// A ball as wide as the foot of a cone, beside it by so little that the two rims cross at an angle
+// of 1e-5: what the curves are off takes their places along the rims a thousand times as far.
+TEST(NearContacts, RimsMayCrossAtATinyAngle) {
+  for (const gp_Dir& aside : {gp_Dir(1, -1, 0), gp_Dir(1, 0.3, 0), gp_Dir(1, 0, 0)})
+    for (const double off : {1e-5, 4e-5}) {
+      constexpr double kRadius = 1.3;
+      const TopoDS_Shape cone = BRepPrimAPI_MakeCone(kRadius, 0, 1).Shape();
+      const TopoDS_Shape ball =
+          BRepPrimAPI_MakeSphere(gp_Pnt(gp_XYZ(off * aside.XYZ())), kRadius).Shape();
+      const double of_cone = kPi / 3 * kRadius * kRadius;
+      expect_sound_volume(cone, ball, SolidOperation::Common, of_cone);  // less 1e-10
+      expect_sound_volume(ball, cone, SolidOperation::Cut,
+                          4 * kPi / 3 * std::pow(kRadius, 3) - of_cone);
+    }
+}
+
 // Faces that state no more than usual, between edges that do.
 TEST(NearContacts, EdgesThatRunAlongEachOtherWithinWhatTheyStateAreOne) {
   constexpr double kStated = 1.5e-7, kShift = 1.4e-7;
