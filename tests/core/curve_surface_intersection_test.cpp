@@ -183,6 +183,29 @@ TEST(CurveSurfaceIntersection, CurvesInTheSurfaceAreProvenRuns) {
   EXPECT_NEAR(found.overlaps[0].t.to, 2. / 3, 1e-3);
 }
 
+// However short it is beside the whole curve; and however often a curve comes back.
+TEST(CurveSurfaceIntersection, ARunEndsWhereTheCurveLeavesThePatch) {
+  for (const double to : {0.6, 2.5, 4.5, 40.0}) {
+    const auto found = intersect(bezier({{0.5, 0.5, 0}, {to, 0.5 * to + 0.25, 0}}), plane());
+    EXPECT_EQ(found.status, Status::Tolerance);
+    EXPECT_TRUE(found.points.empty()) << to;
+    ASSERT_EQ(found.overlaps.size(), 1U) << to;
+    EXPECT_EQ(found.overlaps[0].t.from, 0);
+    EXPECT_NEAR(found.overlaps[0].t.to * (to - 0.5), std::min(0.5, to - 0.5), 1e-6) << to;
+  }
+  const CurveSpans wave = bezier({{0.4, -1, 0}, {0.5, 5, 0}, {0.5, -4, 0}, {0.6, 2, 0}});
+  const auto found = intersect(wave, plane());
+  EXPECT_EQ(found.overlaps.size(), 3U);
+  for (const CurveSurfaceOverlap& run : found.overlaps)
+    for (const double t : {run.t.from, run.t.to}) {
+      const double y = point_at(wave, t)[1];
+      EXPECT_LE(std::min(std::abs(y), std::abs(y - 1)), 1e-6);
+    }
+  const auto beside = intersect(bezier({{-1, 1 + 1e-5, 0}, {2, 1 + 1e-6, 0}}), plane());
+  EXPECT_EQ(beside.status, Status::Complete);
+  EXPECT_TRUE(beside.overlaps.empty() && beside.points.empty());
+}
+
 TEST(CurveSurfaceIntersection, EndsAndBordersWithinToleranceAreListed) {
   CurveSurfaceIntersection found = intersect(bezier({{0.3, 0.4, 1}, {0.5, 0.5, 3e-8}}), plane());
   EXPECT_EQ(found.status, Status::Tolerance);

@@ -246,13 +246,31 @@ void CurveSurfaceAssembly::add_run(const Interval& run,
     if (i == 0) first = sample;
     last = sample;
   }
-  for (const CurveSurfaceOverlap& known : overlaps_)
-    if (known.t.from <= run.to && run.from <= known.t.to && run_length <= touch_length_) return;
-  if (run_length <= touch_length_ || !is_common_run(gaps, tolerance_, margin_))
-    return add_touch(run, pieces, run_length);
-  overlaps_.push_back({run, trees_.parameters(first.patch, first.uv),
-                       trees_.parameters(last.patch, last.uv),
-                       *std::max_element(gaps.begin(), gaps.end()) + margin_, false});
+  const CurveSurfaceOverlap made{run, trees_.parameters(first.patch, first.uv),
+                                 trees_.parameters(last.patch, last.uv),
+                                 *std::max_element(gaps.begin(), gaps.end()) + margin_, false};
+  const bool is_run = run_length > touch_length_ && is_common_run(gaps, tolerance_, margin_);
+  const auto beside = std::ranges::find_if(overlaps_, [&](const CurveSurfaceOverlap& known) {
+    return known.t.from <= run.to && run.from <= known.t.to;
+  });
+  if (beside != overlaps_.end() && (is_run || run_length <= touch_length_))
+    return extend(*beside, made);
+  if (!is_run) return add_touch(run, pieces, run_length);
+  overlaps_.push_back(made);
+}
+
+// A run goes on as far as the curve keeps within the tolerance.
+void CurveSurfaceAssembly::extend(CurveSurfaceOverlap& run, const CurveSurfaceOverlap& by) {
+  if (by.t.from < run.t.from) {
+    run.t.from = by.t.from;
+    run.uv_from = by.uv_from;
+  }
+  if (by.t.to > run.t.to) {
+    run.t.to = by.t.to;
+    run.uv_to = by.uv_to;
+  }
+  run.gap_high = std::max(run.gap_high, by.gap_high);
+  run.proven = false;
 }
 
 double CurveSurfaceAssembly::root_between(double from, double to,

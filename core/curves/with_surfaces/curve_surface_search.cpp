@@ -139,11 +139,15 @@ void CurveSurfaceSearch::examine(const Pair& pair) {
     return;
   }
   const double least = tolerance_ + 8 * (c.margin + s.margin);
-  if (std::max(c.extent, s.extent) <= least || within_slab(c, s)) {
+  const bool is_place = std::max(c.extent, s.extent) <= least, in_slab = within_slab(c, s);
+  const Over over_cell =
+      is_place || !in_slab ? Over::All : over(c, s, surface_[pair.patch].patch());
+  if (over_cell == Over::None)
+    ++found_.excluded;
+  else if (is_place || (in_slab && (over_cell == Over::All || c.extent <= least)))
     found_.contacts.push_back(contact(pair));
-    return;
-  }
-  halve(pair, c.extent >= s.extent);
+  else
+    halve(pair, in_slab || c.extent >= s.extent);
 }
 
 void CurveSurfaceSearch::halve(const Pair& pair, bool curve) {
@@ -164,6 +168,31 @@ bool CurveSurfaceSearch::within_slab(const CurveCell& c, const Cell& s) const {
   const ValueRange range = range_along(c, 3, s.plane.normal);
   const double thickness = std::max(range.high, s.plane.high) - std::min(range.low, s.plane.low);
   return thickness <= tolerance_ + 8 * (c.margin + s.margin);
+}
+
+// Which part of a curve in the slab of a cell is over it, by its heights along the rows a and b
+// that invert the middle derivatives: for a place (u, v) of the cell, from its middle on,
+//   a . (S - S_middle) = u +- turn / 2,   turn = sum |a_k| (rad S_u + rad S_v)_k
+// Where these turn too much for that, all of it may be.
+CurveSurfaceSearch::Over CurveSurfaceSearch::over(const CurveCell& c, const Cell& s,
+                                                  const RationalBezierPatch& patch) const {
+  const Vec3 &u = s.du.middle, &v = s.dv.middle, across = cross(u, v);
+  const double area = dot(across, across);
+  if (!(area > 0) || !std::isfinite(1 / area)) return Over::All;
+  const Vec3 middle = jet_at(patch, at(s.u, 0.5), at(s.v, 0.5), 1).point;
+  Over whole = Over::All;
+  for (const Vec3& row : {cross(v, across) * (1 / area), cross(across, u) * (1 / area)}) {
+    const double size = norm(row);
+    double turn = 0;
+    for (int k = 0; k < 3; ++k) turn += std::abs(row[k]) * (s.du.radius[k] + s.dv.radius[k]);
+    const double reach = 0.5 * (1 + turn) + size * (tolerance_ + 8 * (c.margin + s.margin));
+    const ValueRange heights = range_along(c, 3, row * (1 / size));
+    const double from = size * heights.low - dot(row, middle),
+                 to = size * heights.high - dot(row, middle);
+    if (from > reach || to < -reach) return Over::None;
+    if (from < -reach || to > reach) whole = Over::Part;
+  }
+  return whole;
 }
 
 VectorBounds CurveSurfaceSearch::derivative(const CurveCell& c) const {

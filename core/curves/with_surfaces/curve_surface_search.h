@@ -89,6 +89,8 @@ class CurveSurfaceSearch {
   void halve(const Pair& pair, bool curve);
   bool separated(const CurveCell& c, const Cell& s) const;
   bool within_slab(const CurveCell& c, const Cell& s) const;
+  enum class Over { All, Part, None };
+  Over over(const CurveCell& c, const Cell& s, const RationalBezierPatch& patch) const;
   bool is_inside(const CurveCell& c, const Pair& pair, const Cell& s) const;
   VectorBounds derivative(const CurveCell& c) const;
   bool settle(const CurveCell& c, const Pair& pair, const Cell& s);
