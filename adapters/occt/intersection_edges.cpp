@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <BRep_Tool.hxx>
+#include <NCollection_DataMap.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopTools_MapOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
@@ -55,26 +57,50 @@ FoundCurve found_curve(const EdgeCurves& edge, const SurfaceIntersection& found,
   return curve;
 }
 
-// The edges that one face of a list alone has, and once.
-TopTools_MapOfShape free_edges(const std::vector<TopoDS_Face>& faces) {
-  TopTools_MapOfShape once, more;
-  for (const TopoDS_Face& face : faces)
-    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-      if (!once.Add(it.Current())) more.Add(it.Current());
-  once.Subtract(more);
-  return once;
-}
+// Faces of a list by their edges, and with which faces of the other list each has regions in
+// common.
+class CommonRegions {
+ public:
+  CommonRegions(const std::vector<TopoDS_Face>& faces, const ShapeIntersection& found,
+                int FaceIntersection::*own, int FaceIntersection::*other)
+      : others_(faces.size()) {
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (TopExp_Explorer it(faces[i], TopAbs_EDGE); it.More(); it.Next()) {
+        if (!users_.IsBound(it.Current())) users_.Bind(it.Current(), {});
+        users_.ChangeFind(it.Current()).insert(i);
+      }
+    for (const FaceIntersection& pair : found.pairs)
+      if (std::ranges::count(pair.found.places, PlaceKind::Overlap, &Place::kind) > 0)
+        others_[static_cast<std::size_t>(pair.*own)].insert(pair.*other);
+  }
 
-// Where a common region ends with one of its faces, and no neighbour of that crosses the other one:
-// what of its free edges lies in the other face.
-void add_free_borders(const TopoDS_Face& of, const TopTools_MapOfShape& free,
-                      const TopoDS_Face& other, const SharedLimit& limit,
-                      std::vector<FoundCurve>& curves, std::vector<std::string>& lost) {
+  /// Whether no face beyond an edge of a face crosses another one there that this face has a region
+  /// in common with: the edge is free, or a seam, or the region goes on over it. Of two faces over
+  /// which it does, the first is told.
+  bool is_border(const TopoDS_Edge& edge, std::size_t of, int other) const {
+    return std::ranges::all_of(users_.Find(edge), [&](std::size_t user) {
+      return user == of || (user > of && others_[user].contains(other));
+    });
+  }
+
+ private:
+  NCollection_DataMap<TopoDS_Shape, std::set<std::size_t>, TopTools_ShapeMapHasher> users_;
+  std::vector<std::set<int>> others_;
+};
+
+// Where a common region ends with an edge of one of its faces, or goes on over it, and no neighbour
+// crosses the other face: what of such edges lies in that.
+template <class IsBorder>
+void add_borders(const TopoDS_Face& of, const IsBorder& is_border, const TopoDS_Face& other,
+                 const SharedLimit& limit, std::vector<FoundCurve>& curves,
+                 std::vector<std::string>& lost) {
   const IntersectionOptions options = limit.remaining_alone();
   std::optional<EdgeDivider> divider;
-  for (TopExp_Explorer it(of, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
-    if (!free.Contains(edge) || BRep_Tool::Degenerated(edge)) continue;
+  TopTools_IndexedMapOfShape edges;  // a seam once
+  TopExp::MapShapes(of, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const TopoDS_Edge edge = TopoDS::Edge(edges(i));
+    if (BRep_Tool::Degenerated(edge) || !is_border(edge)) continue;
     if (!divider) divider.emplace(other, std::vector<TopoDS_Solid>(), options);
     const double tolerance = std::max(BRep_Tool::Tolerance(edge), options.tolerances.point);
     const RangedCurve curve = curve_of(edge);
@@ -104,14 +130,21 @@ JoinedIntersection joined_intersection(const ShapeIntersection& found,
   JoinedIntersection made;
   std::vector<FoundCurve> curves;
   std::vector<FoundPoint> points;
-  const TopTools_MapOfShape free_a = free_edges(a), free_b = free_edges(b);
+  const CommonRegions of_a(a, found, &FaceIntersection::face_a, &FaceIntersection::face_b);
+  const CommonRegions of_b(b, found, &FaceIntersection::face_b, &FaceIntersection::face_a);
   for (const FaceIntersection& pair : found.pairs) {
     const TopoDS_Face& face_a = a[static_cast<std::size_t>(pair.face_a)];
     const TopoDS_Face& face_b = b[static_cast<std::size_t>(pair.face_b)];
     const double stated = std::max(stated_by(face_a), stated_by(face_b));
     if (std::ranges::count(pair.found.places, PlaceKind::Overlap, &Place::kind) > 0) {
-      add_free_borders(face_a, free_a, face_b, limit, curves, made.lost);
-      add_free_borders(face_b, free_b, face_a, limit, curves, made.lost);
+      const auto is_border_a = [&](const TopoDS_Edge& edge) {
+        return of_a.is_border(edge, static_cast<std::size_t>(pair.face_a), pair.face_b);
+      };
+      const auto is_border_b = [&](const TopoDS_Edge& edge) {
+        return of_b.is_border(edge, static_cast<std::size_t>(pair.face_b), pair.face_a);
+      };
+      add_borders(face_a, is_border_a, face_b, limit, curves, made.lost);
+      add_borders(face_b, is_border_b, face_a, limit, curves, made.lost);
     }
     for (std::size_t i = 0; i < pair.edges.size(); ++i)
       curves.push_back(found_curve(pair.edges[i], pair.found, i, stated));

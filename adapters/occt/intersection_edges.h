@@ -23,9 +23,10 @@ struct JoinedIntersection {
 };
 
 /// What two shapes have in common as wires of edges with common vertices, each stretch once, and
-/// vertices at isolated contacts, as `joined_curves` has them. Of common regions these are the
-/// borders: where faces end freely, what of their edges lies in the other face, within the
-/// tolerance of the intersection. These are looked for within its time limit, once more.
+/// vertices at isolated contacts, as `joined_curves` has them. Of common regions of two faces these
+/// are the borders: where faces end freely, or in a seam, or the region goes on in the next face,
+/// what of their edges lies in the other face, within the tolerance of the intersection. These are
+/// looked for within its time limit, once more.
 /// a, b     the lists that were intersected; one list twice for `self_intersect`
 /// throws   Failure if Open CASCADE refuses one
 JoinedIntersection joined_intersection(const ShapeIntersection& found,

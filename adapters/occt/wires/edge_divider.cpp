@@ -20,7 +20,9 @@
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/queries/solid_rays.h"
+#include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
+#include "core/curves/curve_closing.h"
 
 namespace blossom::occt {
 namespace {
@@ -28,6 +30,10 @@ namespace {
 // Parts of a piece in which its side is asked for: on a face it is if all of them are; of a solid
 // one that tells is enough, since it changes sides at no other place than its ends.
 constexpr std::array<double, 4> kAskedAt{0.5, 0.37, 0.71, 0.19};
+
+// Tolerances: how far beyond a face's surface a run in it may end, which is looked for within one
+// tolerance of it, down to pieces of one, and rounding.
+constexpr double kRunEnd = 3;
 
 // How far one may be off from the other and still meet it, model units.
 double reach_of(double tolerance, double a, double b) { return std::max({tolerance, a, b}); }
@@ -136,10 +142,16 @@ struct EdgeMeetings {
   template <class Found>
   void add_state(const Found& found) {
     status = weaker(status, found.status);
-    for (const std::string& reason : found.certificate.reasons)
-      if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
+    for (const std::string& reason : found.certificate.reasons) add_reason(reason);
     open = open || found.status == Status::Stopped ||
            std::ranges::count(found.places, PlaceKind::Open, &CurvePlace::kind) > 0;
+  }
+  void add_reason(const std::string& reason) {
+    if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
+  }
+  void add_contacts() {
+    status = weaker(status, Status::Tolerance);
+    add_reason(kContactsWithinTolerance);
   }
   void add_run(const Interval& run, double reach, bool sure) {
     stops.push_back({run.from, reach, sure});
@@ -148,7 +160,9 @@ struct EdgeMeetings {
   // Where more counts as common than was asked for.
   void tell_reach(double asked) {
     double largest = 0;
-    for (const EdgeStop& stop : stops) largest = std::max(largest, stop.reach);
+    for (const EdgeStop& stop : stops)
+      if (stop.sure) largest = std::max(largest, stop.reach);
+    for (const Run& run : in_surfaces) largest = std::max(largest, run.reach);
     if (largest <= asked) return;
     status = weaker(status, Status::Tolerance);
     std::ostringstream reason;
@@ -190,6 +204,12 @@ void EdgeDivider::meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met) {
     const double reach = reach_of(tolerance_, met.tolerance, BRep_Tool::Tolerance(face));
     if (box.IsOut(enlarged(met.box, reach))) continue;
     if (limit_.is_reached()) return met.stop();
+    // What lies in the surface as a whole ends in it where it meets the face's edges.
+    if (CurveBeside(met.of.curve, met.of.range, chart_of(i).feet).is_one_run(reach, reach)) {
+      met.add_contacts();
+      met.in_surfaces.push_back({i, reach});
+      continue;
+    }
     IntersectionOptions options = limit_.remaining_alone();
     options.tolerances.point = reach;
     const CurveSurfaceIntersection found = intersect(edge, face, options);
@@ -201,7 +221,7 @@ void EdgeDivider::meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met) {
       if (touch)
         met.stops.push_back({at(run.t, 0.5), reach});
       else
-        met.add_run(run.t, reach, false);
+        met.add_run(run.t, kRunEnd * reach, false);
       lies = lies || !touch;
     }
     if (lies) met.in_surfaces.push_back({i, reach});

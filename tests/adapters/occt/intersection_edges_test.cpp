@@ -26,6 +26,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Ax3.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
@@ -189,6 +190,25 @@ TEST(JoinedIntersection, OfSheetsHasTheBorderOfTheirCommonRegion) {
   const Parts on_box = common_of(box, square);
   EXPECT_NEAR(on_box.length, 16, 1e-9);
   EXPECT_EQ(on_box.edges, 4);
+}
+
+// They are edges of faces like others, though the region goes on over them.
+TEST(JoinedIntersection, HasSeamsAndEdgesOverWhichACommonRegionGoesOn) {
+  const auto tube = [](double from, double turn) {
+    const gp_Ax2 axes(gp_Pnt(0, 0, from), gp_Dir(0, 0, 1),
+                      gp_Dir(std::cos(turn), std::sin(turn), 0));
+    return BRepPrimAPI_MakeCylinder(axes, 2, 4).Shape();
+  };
+  expect_wires(common_of(tube(0, 0), tube(2, 0)), {3, 2, 3, 2, 0, 8 * pi + 2});
+  EXPECT_NEAR(common_of(tube(0, 0), tube(2, 1)).length, 8 * pi + 4, 1e-7);
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(2).Shape();
+  EXPECT_NEAR(common_of(ball, ball).length, 2 * pi, 1e-7);
+  // Half a tube has two plane faces that meet in its axis.
+  const TopoDS_Shape half = BRepPrimAPI_MakeCylinder(2, 4, pi).Shape();
+  const gp_Ax3 upright(gp_Pnt(), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0));
+  const TopoDS_Shape wall = BRepBuilderAPI_MakeFace(gp_Pln(upright), -1, 1, 1, 3).Face();
+  EXPECT_NEAR(common_of(half, wall).length, 8 + 2, 1e-7);
+  EXPECT_NEAR(common_of(wall, half).length, 8 + 2, 1e-7);
 }
 
 }  // namespace

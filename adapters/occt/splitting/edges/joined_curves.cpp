@@ -339,7 +339,8 @@ TopoDS_Wire CurveJoiner::wire_from(std::size_t start, std::size_t side,
                           .Oriented(at->second == 0 ? TopAbs_FORWARD : TopAbs_REVERSED));
     at = next(at->first, 1 - at->second);
   }
-  wire.Closed(at.has_value() || stretches_[start].nodes[0] < 0);
+  const std::array<int, 2>& nodes = stretches_[start].nodes;
+  wire.Closed(at.has_value() || nodes[0] == nodes[1]);
   return wire;
 }
 
