@@ -64,6 +64,8 @@ TopoDS_Shape plate(int n) {
 // The program at work, in a process of its own.
 class Running {
  public:
+  static constexpr int kNotStarted = 127;  // as shells say it
+
   explicit Running(const std::vector<std::string>& arguments) {
     std::vector<char*> words{const_cast<char*>(BLOSSOM_PROGRAM)};
     for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
@@ -77,11 +79,15 @@ class Running {
     posix_spawn_file_actions_destroy(&files);
   }
 
-  void send(int signal) const { ::kill(process_, signal); }
+  // Of no process, -1 would be all that there are.
+  void send(int signal) const {
+    if (process_ > 0) ::kill(process_, signal);
+  }
 
   // Waits for the end. returns  the exit code; 128 + signal if a signal ended it
   int finish() const {
     int status = 0;
+    if (process_ <= 0) return kNotStarted;
     ::waitpid(process_, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
