@@ -95,6 +95,7 @@ struct Fault {
   Harm harm = Harm::None;
   bool unresolved = false;  ///< it refers to an entity that is not in the file
   bool arbitrary = false;   ///< Open CASCADE takes what is in its memory for a number
+  bool numeric = false;     ///< a number is none or not finite: no curve is to be made with it
 };
 
 constexpr std::string_view kCountFault = "Count of Parameters is not ";
@@ -118,7 +119,7 @@ Fault in_words(std::string_view fail) {
   if (fail.find("not an Entity") != npos) return {field + " is missing", Harm::Field};
   for (const char* number : {"Real", "Integer", "number"})
     if (fail.find(std::string(" ") + number) != npos)  // 0 of coordinates
-      return {field + " is no number", Harm::Field, false, field != "coordinates"};
+      return {field + " is no number", Harm::Field, false, field != "coordinates", true};
   for (const char* list : {"LIST", "List", "list", "Count"})
     if (fail.find(list) != npos) return {field + " is no list of the right length", Harm::Field};
   return {field + " cannot be read"};
@@ -247,21 +248,33 @@ Fault fault_of(const StepData_StepModel& model, int number) {
   if (loses_unit(entity, fault)) fault.cause += ": lengths or angles may be wrong";
   if (fault.harm == Harm::Field || !is_geometry(entity)) return fault;
   if (const std::string silent = silent_fault(*entity); !silent.empty())
-    return {silent, Harm::Field};
+    return {silent, Harm::Field, false, false, entity->IsKind(STANDARD_TYPE(StepGeom_Point))};
   return fault;
+}
+
+using StepEdges = std::vector<Handle(StepShape_EdgeCurve)>;
+
+StepEdges edges_along(const Interface_Graph& graph, const Entity& curve) {
+  StepEdges edges;
+  for (Interface_EntityIterator user = graph.Sharings(curve); user.More(); user.Next())
+    if (const auto edge = Handle(StepShape_EdgeCurve)::DownCast(user.Value()); !edge.IsNull())
+      edges.push_back(edge);
+  return edges;
 }
 
 /// What an entity is used by.
 struct Uses {
   std::vector<Handle(StepShape_FaceSurface)> faces;
-  std::vector<Handle(StepShape_EdgeCurve)> edges;  ///< in curves in parameters of faces only
+  StepEdges edges;     ///< in curves in parameters of faces only
+  StepEdges curves;    ///< in their curves in space, if asked for
   bool shape = false;  ///< faces, edges, solids, sets of curves, or places of parts
 };
 
 /// Goes up from an entity through geometry and topology.
 class Climb {
  public:
-  explicit Climb(const Interface_Graph& graph) : graph_(graph) {}
+  /// to_curves   what it meets in the curve of an edge it leaves at that
+  Climb(const Interface_Graph& graph, bool to_curves) : graph_(graph), to_curves_(to_curves) {}
 
   Uses from(const Entity& entity) {
     push(entity);
@@ -291,9 +304,16 @@ class Climb {
     for (Interface_EntityIterator user = graph_.Sharings(entity); user.More(); user.Next()) {
       if (in_parameters)
         add_edges_of(user.Value());
+      else if (is_curve_of(entity, user.Value()))
+        uses_.curves.push_back(Handle(StepShape_EdgeCurve)::DownCast(user.Value()));
       else if (may_go_to(user.Value()))
         push(user.Value());
     }
+  }
+
+  bool is_curve_of(const Entity& entity, const Entity& user) const {
+    const auto edge = Handle(StepShape_EdgeCurve)::DownCast(user);
+    return to_curves_ && !edge.IsNull() && edge->EdgeGeometry() == entity;
   }
 
   /// Of a part in an assembly.
@@ -315,29 +335,24 @@ class Climb {
     const auto on_surface = Handle(StepGeom_SurfaceCurve)::DownCast(curve);
     if (on_surface.IsNull()) return;
     if (on_surface->Curve3d().IsNull()) return push(curve);
-    for (Interface_EntityIterator user = graph_.Sharings(curve); user.More(); user.Next())
-      if (const auto edge = Handle(StepShape_EdgeCurve)::DownCast(user.Value()); !edge.IsNull())
-        uses_.edges.push_back(edge);
+    for (const auto& edge : edges_along(graph_, curve)) uses_.edges.push_back(edge);
   }
 
   const Interface_Graph& graph_;
+  bool to_curves_;
   std::vector<Entity> open_;
   std::set<const Standard_Transient*> seen_;
   Uses uses_;
 };
 
-Uses uses_of(const Interface_Graph& graph, const Entity& entity) {
+Uses uses_of(const Interface_Graph& graph, const Entity& entity, const Fault& fault) {
   const auto curve = Handle(StepGeom_SurfaceCurve)::DownCast(entity);
-  if (curve.IsNull() || curve->Curve3d().IsNull()) return Climb(graph).from(entity);
+  if (curve.IsNull() || curve->Curve3d().IsNull()) return Climb(graph, fault.numeric).from(entity);
   // What it lacks is a curve in the parameters of a face: the one in space is there.
-  Uses uses;
-  for (Interface_EntityIterator user = graph.Sharings(entity); user.More(); user.Next())
-    if (const auto edge = Handle(StepShape_EdgeCurve)::DownCast(user.Value()); !edge.IsNull())
-      uses.edges.push_back(edge);
-  return uses;
+  return {{}, edges_along(graph, entity), {}, false};
 }
 
-void keep_curves_in_space(const std::vector<Handle(StepShape_EdgeCurve)>& edges) {
+void keep_curves_in_space(const StepEdges& edges) {
   for (const Handle(StepShape_EdgeCurve) & edge : edges)
     if (const auto curve = Handle(StepGeom_SurfaceCurve)::DownCast(edge->EdgeGeometry());
         !curve.IsNull())
@@ -411,14 +426,18 @@ class Damage {
   void add(const Entity& entity, const Fault& fault) {
     if (is_of_two_shapes(entity) && !fault.unresolved) return;
     const Uses uses = fault.harm == Harm::Field && is_geometry(entity)
-                          ? uses_of(owners_.graph(), entity)
+                          ? uses_of(owners_.graph(), entity, fault)
                           : Uses{};
     keep_curves_in_space(uses.edges);
     keep_usable(entity, owners_.graph());
-    for (const Handle(StepShape_FaceSurface) & face : uses.faces) add_face(face, entity, fault);
+    for (const Handle(StepShape_FaceSurface) & face : uses.faces) {
+      if (fault.arbitrary) arbitrary_.insert(face.get());
+      add_face(face, entity, fault);
+    }
+    for (const Handle(StepShape_EdgeCurve) & edge : uses.curves) add_curve(edge, entity, fault);
     if (fault.harm == Harm::Field && entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)))
       damage_.out.insert(entity.get());
-    if (!uses.faces.empty()) return;
+    if (!uses.faces.empty() || !uses.curves.empty()) return;
     const bool part = fault.harm == Harm::Field && is_assembly(entity);
     const bool item = fault.unresolved && entity->IsKind(STANDARD_TYPE(StepRepr_Representation)) &&
                       is_geometry(entity);
@@ -444,9 +463,16 @@ class Damage {
   }
 
  private:
+  /// The edge is one without a curve.
+  void add_curve(const Handle(StepShape_EdgeCurve) & edge, const Entity& entity,
+                 const Fault& fault) {
+    edge->SetEdgeGeometry({});
+    const Uses uses = Climb(owners_.graph(), false).from(edge);
+    for (const Handle(StepShape_FaceSurface) & face : uses.faces) add_face(face, entity, fault);
+  }
+
   void add_face(const Handle(StepShape_FaceSurface) & face, const Entity& entity,
                 const Fault& fault) {
-    if (fault.arbitrary) arbitrary_.insert(face.get());
     if (!seen_.insert(face.get()).second) return;
     Loss loss{"face", owners_.type(entity) + ": " + fault.cause, true};
     loss.which.push_back(owners_.label(face) + " by " + owners_.label(entity));

@@ -197,12 +197,22 @@ TEST(ReadingStep, LeavesOutDamagedFacesThatWouldTakeOthersAlong) {
   EXPECT_FALSE(tells(model, "made of what is left"));
 }
 
-TEST(ReadingStep, LeavesOutDamagedFacesWithNumbersThatAreNone) {
+TEST(ReadingStep, MakesEdgesWithoutCurvesWhoseNumbersAreNone) {
   const std::string text = sample(".step");
   const std::size_t end = text.find(");", text.find("VECTOR(")), length = text.rfind(',', end);
   const Model model = read_damaged("VECTOR(", text.substr(length, end - length), ",$");
-  EXPECT_EQ(model.face_count(), 16);
-  EXPECT_TRUE(tells(model, "VECTOR: magnitude is no number"));
+  EXPECT_EQ(model.face_count(), 18);
+  EXPECT_TRUE(tells(model, "VECTOR: magnitude is no number; it is made of what is left"));
+  EXPECT_EQ(model.reading().grade(), ReadingGrade::ShapesLost);
+}
+
+TEST(ReadingStep, LeavesOutFacesOnSurfacesWhoseNumbersAreNone) {
+  const std::string text = sample(".step"), direction = "DIRECTION('',(";
+  const std::size_t place = text.find(direction, text.find("PLANE("));
+  const std::string first = text.substr(place, text.find(',', place + direction.size()) - place);
+  const Model model = read_damaged("PLANE(", first, direction + "$");
+  EXPECT_EQ(model.face_count(), 17);
+  EXPECT_TRUE(tells(model, "direction_ratios is no number"));
   EXPECT_FALSE(tells(model, "made of what is left"));
 }
 
