@@ -148,6 +148,7 @@ Model Model::copy() const {
     made.impl_->parts = impl_->parts;
     if (impl_->document) made.impl_->document = impl_->document->copy();
     made.impl_->unit = impl_->unit;
+    made.impl_->beside = impl_->beside;
     made.impl_->stated = impl_->stated;
     made.impl_->refresh();
   });

@@ -171,8 +171,9 @@ class Model {
 
  private:
   friend Model read_model(const std::filesystem::path& file, const ReadOptions& options);
-  friend void write_model(const Model& model, const std::filesystem::path& file,
-                          const std::function<void()>& stop);
+  friend std::vector<std::string> write_model(const Model& model,
+                                              const std::filesystem::path& file,
+                                              const std::function<void()>& stop);
   friend Contents& contents_of(const Model& model);
   struct Impl;
   std::unique_ptr<Impl> impl_;
@@ -197,10 +198,12 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options =
 /// layers, dimensions and the assembly go into STEP. IGES has no assemblies: each instance becomes
 /// a part, called by the names of instances that lead to it; layers have numbers. BREP has shapes
 /// only. A link stays a link, and a device is written to directly.
+/// returns  what a user wants to know of it, in words: what the file that the model was read from
+///          has beside shapes and this one has not; what of shapes had to be written otherwise
 /// throws   Failure if the file cannot be written, or is not BREP and an edge has no curve in the
 ///          parameters of its face; BadModel if the ending is not known
-void write_model(const Model& model, const std::filesystem::path& file,
-                 const std::function<void()>& stop = {});
+std::vector<std::string> write_model(const Model& model, const std::filesystem::path& file,
+                                     const std::function<void()>& stop = {});
 
 /// Whether the format of a file, by its ending, has internal edges of faces. Open CASCADE loses
 /// them on the way to STEP, and cannot write IGES with them.

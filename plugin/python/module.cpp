@@ -108,12 +108,12 @@ py::bytes brep_bytes(LoadedModel& model) {
   return py::bytes(in_turn(model, [](LoadedModel& m) { return occt::brep_text(m.shape()); }));
 }
 
-void write_file(LoadedModel& model, const std::string& path, const Control& control) {
-  interruptible(control, [&](const Watch& watch) {
+std::vector<std::string> write_file(LoadedModel& model, const std::string& path, const Control& control) {
+  return interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model.turn(watch);
     const std::function<void()> stop = [&watch] { watch.stop(); };
     if (!model.is_part()) return occt::write_model(model.repaired_input(watch).model, path, stop);
-    occt::write_model(reports::alone(model.repaired_input(watch)), path, stop);
+    return occt::write_model(reports::alone(model.repaired_input(watch)), path, stop);
   });
 }
 

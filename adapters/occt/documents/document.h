@@ -51,7 +51,7 @@ class Document final : public DocumentInterface {
   void put_solids(const Faces& faces, const std::vector<SolidOfFaces>& solids,
                   const std::string& name) override;
   void leave_out_bad_faces(const NumberSource& source, ReadingReport& report) override;
-  std::string text(Format format, const std::string& unit) const override;
+  FileContent content(Format format, const std::string& unit) const override;
 
  private:
   TDF_Label add_label(const TopoDS_Shape& shape, const std::string& name) const;

@@ -21,9 +21,9 @@ void read_iges(Reading& reading);
 /// not wanted or fail, which is then reported; the plain parts stay in that case.
 void add_with_names(Reading& reading, const std::function<bool(Document&)>& transfer);
 
-/// Texts and bytes of files. throws Failure
-std::string step_text(const Document& document, const std::string& unit);
-std::string iges_text(const Document& document, const std::string& unit);
+/// What files are to hold. throws Failure
+FileContent step_content(const Document& document, const std::string& unit);
+FileContent iges_content(const Document& document, const std::string& unit);
 std::string glb_bytes(const Document& document);
 
 }  // namespace blossom::occt

@@ -9,12 +9,14 @@
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/documents/beside_shapes.h"
 #include "adapters/occt/documents/files.h"
 
 namespace blossom::occt {
@@ -64,7 +66,10 @@ void list_lost_files(const STEPCAFControl_Reader& reader, ReadingReport& report)
 
 void add_step(const Handle(Standard_Transient) & session, Reading& reading) {
   STEPCAFControl_Reader reader;
-  take_over(reader, Handle(XSControl_WorkSession)::DownCast(session));
+  const auto work = Handle(XSControl_WorkSession)::DownCast(session);
+  take_over(reader, work);
+  if (reading.options.looks)
+    reading.contents.beside = beside_shapes(*Handle(StepData_StepModel)::DownCast(work->Model()));
   want_attributes(reader);
   ask_for_face_names(reading.report);
   add_with_names(reading, [&](Document& document) {

@@ -27,6 +27,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/documents/beside_shapes.h"
 #include "adapters/occt/documents/files.h"
 
 namespace blossom::occt {
@@ -62,7 +63,7 @@ void split_letters(const Document& document) {
 
 }  // namespace
 
-std::string step_text(const Document& document, const std::string& unit) {
+FileContent step_content(const Document& document, const std::string& unit) {
   STEPControl_Controller::Init();
   // The writer's constructor reads the unit: set later, it gives a wrong size without a word.
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
@@ -85,12 +86,12 @@ std::string step_text(const Document& document, const std::string& unit) {
   text.SendModel(Handle(StepData_Protocol)::DownCast(model->Protocol()));
   std::ostringstream out;
   if (!text.Print(out)) throw Failure("Open CASCADE cannot write the model as STEP");
-  return std::move(out).str();
+  return {std::move(out).str(), beside_shapes(*model)};
 }
 
 /// Every instance becomes a part: of an assembly Open CASCADE makes one part without the names of
 /// those in it.
-std::string iges_text(const Document& document, const std::string& unit) {
+FileContent iges_content(const Document& document, const std::string& unit) {
   const Document parts;
   add_instances(document, parts);
   split_letters(parts);
@@ -110,15 +111,15 @@ std::string iges_text(const Document& document, const std::string& unit) {
   text.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
   std::ostringstream out;
   if (!text.Print(out)) throw Failure("Open CASCADE cannot write the model as IGES");
-  return std::move(out).str();
+  return {std::move(out).str(), layers_of(document)};
 }
 
-std::string Document::text(Format format, const std::string& unit) const {
+FileContent Document::content(Format format, const std::string& unit) const {
   name_instances(*this);
   switch (format) {
-    case Format::Step: return step_text(*this, unit);
-    case Format::Iges: return iges_text(*this, unit);
-    case Format::Glb: return glb_bytes(*this);
+    case Format::Step: return step_content(*this, unit);
+    case Format::Iges: return iges_content(*this, unit);
+    case Format::Glb: return {glb_bytes(*this)};
     case Format::Brep: break;
   }
   throw Failure("BREP has no documents");

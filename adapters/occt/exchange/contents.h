@@ -32,6 +32,15 @@ Format format_of(const std::filesystem::path& file);
 
 class NumberSource;  // see numbers.h
 
+/// How many things there are beside shapes, by their kind in words: "annotation", "layer".
+using BesideShapes = std::map<std::string, int>;
+
+/// What a file is to hold.
+struct FileContent {
+  std::string bytes;
+  BesideShapes beside = {};  ///< what of that is in it
+};
+
 /// A solid that loose faces have become.
 struct SolidOfFaces {
   TopoDS_Solid solid;
@@ -81,7 +90,7 @@ class DocumentInterface {
   /// What a file of the format holds; BREP has no documents.
   /// unit     in the words of `write.step.unit`
   /// throws   Failure
-  virtual std::string text(Format format, const std::string& unit) const = 0;
+  virtual FileContent content(Format format, const std::string& unit) const = 0;
 };
 
 /// What a model holds.
@@ -89,6 +98,7 @@ struct Contents {
   PlainParts parts;                             ///< while there is no document
   std::shared_ptr<DocumentInterface> document;  ///< null as long as the parts are enough
   std::string unit = "MM";                      ///< of the file, in the words of `write.step.unit`
+  BesideShapes beside;                          ///< in the file, where the document came from one
   TopoDS_Shape shape;                           ///< of all parts
   TopTools_IndexedMapOfShape faces;             ///< of the shape
 

@@ -22,7 +22,8 @@ void Reading::begin(const char* doing) {
 }
 
 void Reading::lose_names(const std::string& cause) {
-  report.add({"names, colours, dimensions and assembly", cause});
+  // Before all else that touches no shape: it is what users miss first.
+  report.losses.insert(report.losses.begin(), {"names, colours, dimensions and assembly", cause});
 }
 
 }  // namespace blossom::occt

@@ -34,7 +34,7 @@ struct Model::Impl : Contents {
   Repairer& repairs();
 };
 
-/// Why there are none.
+/// Why there are none: who reads again after a crash asks for none.
 inline constexpr const char* kNamesNotRead = "reading them fails, or is not wanted";
 
 /// What becomes of a face without a border of it that cannot be made: a hole is closed, and without

@@ -160,7 +160,7 @@ class KeptDocument : public DocumentInterface {
   void put_solids(const Faces&, const std::vector<SolidOfFaces>& solids,
                   const std::string&) override;
   void leave_out_bad_faces(const NumberSource&, ReadingReport&) override { refuse_change(); }
-  std::string text(Format, const std::string&) const override { refuse_change(); }
+  FileContent content(Format, const std::string&) const override { refuse_change(); }
 
  private:
   void join_parts(const SolidOfFaces& solid, const std::string& name);

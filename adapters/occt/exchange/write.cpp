@@ -5,17 +5,18 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <BRepTools.hxx>
-#include <Message.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exchange/detail.h"
@@ -181,65 +182,89 @@ void write_text(const std::string& text, const std::filesystem::path& file,
 
 namespace {
 
-void report_bent(const ClosedCorners& closed, const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << file.string() << ": " << closed.count() << " ends of curves in space are bent by up to "
-       << closed.worst() << " to meet in their vertices, since readers move whole curves for it";
-  Message::SendInfo(text.str().c_str());
+std::string count_text(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-void report_halved(std::size_t count, const std::filesystem::path& file) {
+std::string bent_text(const ClosedCorners& closed) {
   std::ostringstream text;
-  text << file.string() << ": " << count
-       << (count == 1
-               ? " face that goes from pole to pole round a hole is written as two halves"
-               : " faces that go from pole to pole round holes are written as two halves each")
-       << ", since readers take the hole for the face";
-  Message::SendInfo(text.str().c_str());
+  text << count_text(closed.count(), "end") << " of curves in space bent by up to "
+       << closed.worst() << " to meet in their vertices, since readers move whole curves for it";
+  return text.str();
+}
+
+std::string halved_text(std::size_t count) {
+  return count_text(count, "face") + " from pole to pole round a hole written as two halves" +
+         (count == 1 ? "" : " each") + ", since readers take the hole for the face";
+}
+
+/// What the model's file has beside shapes and this one has not; empty if that is nothing.
+std::string lost_text(const BesideShapes& had, const BesideShapes& has) {
+  std::vector<std::string> lost;
+  for (const auto& [kind, count] : had) {
+    const auto kept = has.find(kind);
+    const int left = kept == has.end() ? count : count - kept->second;
+    if (left > 0) lost.push_back(count_text(static_cast<std::size_t>(left), kind));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    text += (i == 0 ? "written without " : i + 1 < lost.size() ? ", " : " and ") + lost[i];
+  return text.empty() ? text : text + " of the file that was read, which touch no shape";
+}
+
+FileContent content_of(const Model& model, Contents& contents, Format format,
+                       std::vector<std::string>& notes) {
+  if (format == Format::Brep) return {version_1_text(model.shape())};
+  if (format == Format::Glb) return {document_of(contents).content(format, contents.unit)};
+  if (format == Format::Iges) {
+    const SplineHyperbolas splines(model.shape());
+    return document_of(contents).content(format, contents.unit);
+  }
+  const ClosedCorners closed(model.shape());
+  if (closed.count() > 0) notes.push_back(bent_text(closed));
+  return document_of(contents).content(format, contents.unit);
+}
+
+/// Faces from pole to pole round a hole are halved.
+///
+/// returns   nothing if there are none
+std::optional<Model> halved(const Model& model, std::vector<std::string>& notes) {
+  if (polar_faces(model.shape()).empty()) return {};
+  Model made = model.copy();
+  const auto halves = polar_faces(made.shape());
+  made.replace_faces(halves);
+  notes.push_back(halved_text(halves.size()));
+  return made;
 }
 
 }  // namespace
 
-void write_model(const Model& model, const std::filesystem::path& file,
-                 const std::function<void()>& stop) {
+std::vector<std::string> write_model(const Model& given, const std::filesystem::path& file,
+                                     const std::function<void()>& stop) {
   const Format format = format_of(file);
-  if (model.shape().IsNull()) throw Failure(file.string() + ": the model is empty");
+  if (given.shape().IsNull()) throw Failure(file.string() + ": the model is empty");
   // Open CASCADE's writers break down on them.
-  if (const std::size_t missing = missing_curves(model.shape()).size();
+  if (const std::size_t missing = missing_curves(given.shape()).size();
       format != Format::Glb && keeps_names(file) && missing > 0)
     throw Failure(file.string() + ": the model has " + std::to_string(missing) +
                   " edges without a curve in the parameters of their face, which only BREP has");
-  if (format == Format::Step && !polar_faces(model.shape()).empty()) {
-    Model halved = model.copy();
-    const auto halves = polar_faces(halved.shape());
-    halved.replace_faces(halves);
-    report_halved(halves.size(), file);
-    return write_model(halved, file, stop);
-  }
-  std::string text;
+  std::vector<std::string> notes;
+  const std::optional<Model> changed =
+      format == Format::Step ? halved(given, notes) : std::optional<Model>();
+  const Model& model = changed ? *changed : given;
+  FileContent content;
   try {
     const std::lock_guard guard(exchange_lock());
-    text = guarded("writing", [&] {
-      switch (format) {
-        case Format::Step: {
-          const ClosedCorners closed(model.shape());
-          if (closed.count() > 0) report_bent(closed, file);
-          return document_of(*model.impl_).text(format, model.impl_->unit);
-        }
-        case Format::Iges: {
-          const SplineHyperbolas splines(model.shape());
-          return document_of(*model.impl_).text(format, model.impl_->unit);
-        }
-        case Format::Glb: return document_of(*model.impl_).text(format, model.impl_->unit);
-        case Format::Brep: break;
-      }
-      return version_1_text(model.shape());
-    });
+    content = guarded("writing", [&] { return content_of(model, *model.impl_, format, notes); });
   } catch (const Failure& failure) {
     throw Failure(file.string() + ": " + failure.what());
   }
+  if (format != Format::Glb)  // triangles, which are to be looked at
+    if (std::string lost = lost_text(model.impl_->beside, content.beside); !lost.empty())
+      notes.push_back(std::move(lost));
   if (stop) stop();
-  write_text(text, file, stop);
+  write_text(content.bytes, file, stop);
+  return notes;
 }
 
 }  // namespace blossom::occt

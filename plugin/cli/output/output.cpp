@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <iostream>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "adapters/occt/base/errors.h"
 #include "plugin/cli/output/reading.h"
@@ -44,10 +46,11 @@ void write_plain_json(const Json& json, const std::string& target) {
 
 void write_model(const occt::Model& model, const std::string& file) {
   enter(Phase::Writing, file);
-  occt::write_model(model, file, [&] {
+  const std::vector<std::string> notes = occt::write_model(model, file, [&] {
     stop_if_interrupted();
     enter(Phase::Placing, file);
   });
+  for (const std::string& text : notes) note(file + ": " + text);
 }
 
 void write_json(Json report, const std::string& target) {

@@ -72,7 +72,7 @@ class MadeShape:
         elif as_text or any(each is not None for each in (deviation, angle, edge_length, aspect)):
             raise ValueError(f"path: {file} has no triangles, which these options are of")
         else:
-            self._core_model().write(file, control)
+            _shapes.write(self._core_model(), file, control)
 
 
 class Result(MadeShape):

@@ -115,6 +115,12 @@ def searched(model: _core.Model, control: _core.Control) -> _core.Model:
     return usable
 
 
+def write(model: _core.Model, file: str, control: _core.Control) -> None:
+    """Warned of is what the file has not that was read, and what had to be written otherwise."""
+    for note in model.write(file, control):
+        warnings.warn(f"{file}: {note}", stacklevel=3)  # who calls write()
+
+
 Packed = Tuple[str, bytes]
 
 

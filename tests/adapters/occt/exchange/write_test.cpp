@@ -128,6 +128,28 @@ TEST(StepFiles, KeepDimensionsOfFacesThatStay) {
   EXPECT_EQ(testing::story(folder / "open.step").find("dimension 40"), std::string::npos);
 }
 
+TEST(StepFiles, ThatLoseWhatTouchesNoShapeAreTold) {
+  const Folder folder;
+  Model box;
+  box.add(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), "box");
+  EXPECT_TRUE(write_model(box, folder / "box.step").empty());
+  std::string text = testing::content(folder / "box.step");
+  text.insert(text.find("ENDSEC;", text.find("DATA;")),
+              "#9001=APPROVAL_STATUS('approved');\n#9002=APPROVAL(#9001,'');\n"
+              "#9003=APPROVAL(#9001,'');\n#9004=GROUP('all',$);\n"
+              "#9005=(ANNOTATION_OCCURRENCE()TESSELLATED_ANNOTATION_OCCURRENCE()NO_SUCH());\n");
+  testing::write_content(folder / "more.step", text);
+
+  const Model more = read_model(folder / "more.step");
+  const std::string lost =
+      "written without 1 annotation, 2 approvals and 1 group of the file that was read, which "
+      "touch no shape";
+  EXPECT_EQ(write_model(more, folder / "out.step"), std::vector<std::string>{lost});
+  EXPECT_EQ(write_model(more.copy(), folder / "out.iges"), std::vector<std::string>{lost});
+  EXPECT_EQ(write_model(more, folder / "out.brep"), std::vector<std::string>{lost});
+  EXPECT_TRUE(write_model(read_model(folder / "out.step"), folder / "again.step").empty());
+}
+
 TEST(NewModels, KeepNamesColoursPlacesAndNumbersThroughStep) {
   const Folder folder;
   gp_Trsf move;
