@@ -10,7 +10,6 @@
 #include <mutex>
 #include <string>
 
-#include "core/base/disjoint_sets.h"
 #include "core/base/errors.h"
 #include "core/bounds/box_tree.h"
 #include "core/math/index.h"
@@ -23,26 +22,6 @@ using Triangle = std::array<int, 3>;
 
 constexpr std::size_t kAskAfter = 1 << 14;  // pairs of a thread
 
-// A side, its lower vertex first, and the triangle that has it.
-struct Side {
-  int low, high, triangle;
-  bool forward;
-};
-
-std::vector<Side> sides_of(std::span<const Triangle> triangles) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-      if (a != b) sides.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
-    }
-  std::ranges::sort(sides, {}, [](const Side& side) {
-    return std::array{side.low, side.high, side.triangle};
-  });
-  return sides;
-}
-
 class Judge {
  public:
   Judge(std::span<const Vec3> points, std::span<const Triangle> triangles,
@@ -50,8 +29,8 @@ class Judge {
       : points_(points), triangles_(triangles), ask_(ask), crossing_(crossing) {}
 
   MeshVerdict verdict() {
-    count_sides();
-    measure();
+    static_cast<MeshFacts&>(found_) = mesh_facts(points_, triangles_);
+    count_flat();
     count_crossings();
     return std::move(found_);
   }
@@ -65,39 +44,12 @@ class Judge {
     return {point(t[0]), point(t[1]), point(t[2])};
   }
 
-  void count_sides() {
-    const std::vector<Side> sides = sides_of(triangles_);
-    DisjointSets parts(triangles_.size());
-    for (std::size_t first = 0; first < sides.size();) {
-      std::size_t end = first + 1;
-      while (end < sides.size() && sides[end].low == sides[first].low &&
-             sides[end].high == sides[first].high)
-        ++end;
-      const std::size_t uses = end - first;
-      std::size_t forward = 0;
-      for (std::size_t k = first; k < end; ++k) forward += sides[k].forward;
-      found_.open_sides += uses % 2;
-      found_.crowded_sides += uses > 2;
-      found_.turned_sides += uses % 2 == 0 && 2 * forward != uses;
-      for (std::size_t k = first + 1; k < end; ++k)
-        parts.join(index(sides[k].triangle), index(sides[first].triangle));
-      first = end;
-    }
-    for (std::size_t t = 0; t < triangles_.size(); ++t) found_.parts += parts.find(t) == t;
-  }
-
-  void measure() {
-    const Vec3 origin = points_.empty() ? Vec3{} : points_.front();
+  void count_flat() {
     for (const Triangle& t : triangles_) {
-      const Vec3 a = points_[index(t[0])] - origin, b = points_[index(t[1])] - origin,
-                 c = points_[index(t[2])] - origin;
-      found_.area += 0.5 * norm(cross(b - a, c - a));
-      found_.volume += dot(a, cross(b, c)) / 6;
       const bool flat = is_flat(t);
       found_.degenerate += flat;
       flat_.push_back(flat);
     }
-    if (!found_.closed()) found_.volume = 0;
   }
 
   bool is_flat(const Triangle& t) const {
@@ -177,17 +129,11 @@ class Judge {
   MeshVerdict found_;
 };
 
-void check(std::span<const Vec3> points, std::span<const Triangle> triangles) {
+void check(std::span<const Vec3> points) {
   for (std::size_t k = 0; k < points.size(); ++k)
     for (const double x : points[k].coordinates)
       if (!std::isfinite(x))
         throw InvalidInput("judge_mesh: point " + std::to_string(k) + " is not finite");
-  for (std::size_t k = 0; k < triangles.size(); ++k)
-    for (const int corner : triangles[k])
-      if (corner < 0 || index(corner) >= points.size())
-        throw InvalidInput("judge_mesh: triangle " + std::to_string(k) + " has corner " +
-                           std::to_string(corner) + ", but there are " +
-                           std::to_string(points.size()) + " points");
 }
 
 }  // namespace
@@ -195,7 +141,7 @@ void check(std::span<const Vec3> points, std::span<const Triangle> triangles) {
 MeshVerdict judge_mesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
                        const std::function<void()>& ask,
                        const std::function<void(int, int)>& crossing) {
-  check(points, triangles);
+  check(points);
   return Judge(points, triangles, ask, crossing).verdict();
 }
 

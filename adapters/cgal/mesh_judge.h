@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/math/vec.h"
+#include "core/meshes/mesh_facts.h"
 
 namespace blossom::cgal {
 
@@ -19,20 +20,10 @@ namespace blossom::cgal {
 /// many as the square of their number.
 inline constexpr std::size_t kListedPairs = 1000;
 
-struct MeshVerdict {
-  std::size_t open_sides = 0;     ///< of one triangle alone, or an odd number
-  std::size_t crowded_sides = 0;  ///< of more than two
-  std::size_t turned_sides = 0;   ///< of two, or an even number, that not half go round each way
-  std::size_t degenerate = 0;     ///< triangles with corners on a line or repeated
-  std::size_t parts = 0;          ///< connected by sides
-  double area = 0;
-  /// Enclosed where the mesh is closed, negative if it is turned inside out; to rounding.
-  double volume = 0;
-  std::size_t crossings = 0;  ///< pairs of triangles that meet beyond what they share
-  std::vector<std::array<int, 2>> crossing_pairs;  ///< the first kListedPairs of them, by place
-
-  /// All sides are gone along as often one way as the other; bodies may share a side.
-  bool closed() const { return open_sides == 0 && turned_sides == 0; }
+struct MeshVerdict : MeshFacts {
+  std::size_t degenerate = 0;  ///< triangles with corners on a line or repeated
+  std::size_t crossings = 0;   ///< pairs of triangles that meet beyond what they share
+  std::vector<std::array<int, 2>> crossing_pairs{};  ///< the first kListedPairs of them, by place
 };
 
 /// Degenerate triangles cross nothing here.

@@ -11,6 +11,7 @@
 #ifdef BLOSSOM_WITH_CGAL
 #include "adapters/cgal/mesh_judge.h"
 #endif
+#include "plugin/meshes/mesh_info.h"
 #include "plugin/reports/text/number_text.h"
 
 namespace blossom::meshes {
@@ -23,9 +24,8 @@ constexpr std::size_t kNamedPairs = 10;  // in summaries
 std::optional<JudgedMesh> judged_mesh(const FileMesh& mesh, const std::function<void()>& stop,
                                       const std::function<void(int, int)>& crossing) {
   cgal::MeshVerdict found = cgal::judge_mesh(mesh.points, mesh.triangles, stop, crossing);
-  return JudgedMesh{found.open_sides, found.crowded_sides, found.turned_sides,
-                    found.degenerate, found.parts,         found.area,
-                    found.volume,     found.crossings,     std::move(found.crossing_pairs)};
+  return JudgedMesh{static_cast<MeshFacts&&>(found), found.degenerate, found.crossings,
+                    std::move(found.crossing_pairs)};
 }
 #else
 std::optional<JudgedMesh> judged_mesh(const FileMesh&, const std::function<void()>&,
@@ -64,12 +64,9 @@ std::string mesh_check_text(const std::string& file, const FileMesh& mesh,
                             const JudgedMesh& found) {
   using reports::counted;
   std::ostringstream text;
-  text.precision(12);
   text << file << ": " << (found.sound() ? "sound" : "not sound") << ", "
        << counted(mesh.triangles.size(), "triangle") << ", " << counted(mesh.points.size(), "point")
-       << ", " << counted(found.parts, "part") << "\n  "
-       << (found.closed() ? "closed, volume " : "not closed") << (found.closed() ? "" : ", area ")
-       << (found.closed() ? found.volume : found.area) << "\n";
+       << ", " << counted(found.parts, "part") << "\n  " << enclosed_text(found) << "\n";
   const auto line = [&](std::size_t count, const char* noun, const char* what) {
     if (count > 0) text << "  " << counted(count, noun) << " " << what << "\n";
   };

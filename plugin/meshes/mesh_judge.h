@@ -10,20 +10,18 @@
 #include <string>
 #include <vector>
 
+#include "core/meshes/mesh_facts.h"
 #include "plugin/meshes/mesh_files.h"
 #include "plugin/reports/text/json.h"
 
 namespace blossom::meshes {
 
 /// What is wrong with triangles, see adapters/cgal/mesh_judge.h.
-struct JudgedMesh {
-  std::size_t open_sides = 0, crowded_sides = 0, turned_sides = 0;
-  std::size_t degenerate = 0, parts = 0;
-  double area = 0, volume = 0;
+struct JudgedMesh : MeshFacts {
+  std::size_t degenerate = 0;
   std::size_t crossings = 0;
-  std::vector<std::array<int, 2>> crossing_pairs;  ///< the first of them
+  std::vector<std::array<int, 2>> crossing_pairs{};  ///< the first of them
 
-  bool closed() const { return open_sides == 0 && turned_sides == 0; }
   bool sound() const {
     return closed() && crowded_sides == 0 && degenerate == 0 && crossings == 0 && volume > 0;
   }

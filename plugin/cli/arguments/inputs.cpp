@@ -192,9 +192,10 @@ Input read_input(const std::string& text, Faces need, reports::Repairing repair,
                          ": is of nets (.json), which subdivide and convert take alone; "
                          "`blossom convert` makes a model of them");
   if (meshes::is_mesh_file(name.file) && cli::exists(name.file))
-    throw occt::BadModel(name.file.string() +
-                         ": is of triangles, which check, intersect, query plane, query distance, "
-                         "blend fill and convert take alone");
+    throw occt::BadModel(
+        name.file.string() +
+        ": is of triangles, which info, check, intersect, query plane, query distance, "
+        "blend fill and convert take alone");
   const bool is_written_only =
       (meshes::is_written_mesh_file(name.file) || meshes::is_glb_file(name.file)) &&
       !meshes::is_mesh_file(name.file);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/meshes/convert_mesh.h"
 #include "plugin/cli/commands/meshes/convert_of_mesh.h"
+#include "plugin/cli/commands/meshes/mesh_picture.h"
 #include "plugin/cli/commands/meshes/meshed_input.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/nets/net_input.h"
@@ -32,14 +32,12 @@ namespace {
 
 using Form = nets::TargetForm;
 
-constexpr double kCrease = 40 * std::numbers::pi / 180;  // what most programs smooth over
-
 struct ConvertCommand {
   std::string input;
   std::string to;  ///< empty: the forms stay
   double tolerance = RegionOptions{}.tolerance;
   MeshConversion mesh;
-  double crease = kCrease;
+  double crease = kUsualCrease;
   CommonOptions common;
 };
 

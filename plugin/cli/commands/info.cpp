@@ -16,6 +16,8 @@
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/options.h"
 #include "plugin/cli/commands/commands.h"
+#include "plugin/cli/commands/meshes/mesh_commands.h"
+#include "plugin/cli/commands/meshes/meshed_input.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/edge_list.h"
 #include "plugin/cli/output/output.h"
@@ -180,20 +182,41 @@ struct InfoCommand {
   CommonOptions common;
 };
 
+bool tells_of_mesh(const Json& report) { return report.at("schema") == "blossom.mesh-info/1"; }
+
+void add_box(const Json& box, std::vector<std::string>& fields) {
+  for (std::size_t corner = 0; corner < 2; ++corner)
+    for (std::size_t k = 0; k < 3; ++k)
+      fields.push_back(box.is_null() ? "" : box[corner][k].dump());
+}
+
+// Of triangles what they have: parts are shells, and groups faces.
+std::vector<std::string> mesh_fields(const Json& report) {
+  std::vector<std::string> fields = {
+      "", report.at("parts").dump(),  std::to_string(report.at("groups").size()),
+      "", report.at("points").dump(), ""};
+  add_box(report.at("box"), fields);
+  fields.insert(fields.end(), {"", report.at("closed").get<bool>() ? "closed" : "not closed"});
+  return fields;
+}
+
 std::vector<std::string> info_fields(const Json& report) {
+  if (tells_of_mesh(report)) return mesh_fields(report);
   std::vector<std::string> fields;
   for (const char* kind : {"solids", "shells", "faces", "edges", "vertices"})
     fields.push_back(report.at("counts").at(kind).dump());
   fields.push_back(report.at("file_unit").get<std::string>());
-  for (std::size_t corner = 0; corner < 2; ++corner)
-    for (std::size_t k = 0; k < 3; ++k)
-      fields.push_back(report.at("box").is_null() ? "" : report.at("box")[corner][k].dump());
+  add_box(report.at("box"), fields);
   fields.push_back(report.at("tolerance").at("largest").dump());
   fields.emplace_back(report.at("valid").get<bool>() ? "valid" : "not valid");
   return fields;
 }
 
 std::string info_words(const Json& report) {
+  if (tells_of_mesh(report))
+    return counted(report.at("triangles").get<std::size_t>(), "triangle") + ", " +
+           counted(report.at("parts").get<std::size_t>(), "part") + ", " +
+           (report.at("closed").get<bool>() ? "closed" : "not closed");
   const auto count = [&](const char* kind) {
     return report.at("counts").at(kind).get<std::size_t>();
   };
@@ -213,11 +236,16 @@ int run_on_many(const CLI::App& command, const InfoCommand& options) {
 }
 
 int run(const InfoCommand& options) {
+  const std::string& first = options.inputs.front();
+  if (is_mesh_input(first) && (options.edges || options.tree))
+    throw UsageError(first + ": is of triangles, which have no --edges and no --tree");
+  if (is_mesh_input(first))
+    return run_mesh_info(first, options.faces || verbosity() == Verbosity::Verbose, options.common);
   check_files(options.common, options.inputs);
   const bool listed = options.faces || verbosity() == Verbosity::Verbose;
   reading_policy().looks = reading_policy().looks || listed;
   const Input input =
-      read_input(options.inputs.front(), Faces::Optional, reports::Repairing::None,
+      read_input(first, Faces::Optional, reports::Repairing::None,
                  options.edges ? reports::LooseFaces::Sewn : reports::LooseFaces::Kept);
   const auto problems =
       occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()));
@@ -253,12 +281,18 @@ void add_info(CLI::App& app, int& exit_code) {
   CLI::App* const command = app.add_subcommand(
       "info", "what a model has: solids, faces, surfaces, size, unit, validity; parts and edges");
   const auto options = std::make_shared<InfoCommand>();
-  command->add_option("input", options->inputs, "model, or some of its faces; or many models")
+  command
+      ->add_option(
+          "input", options->inputs,
+          "model, or some of its faces; or triangles, as .stl, .ply, .obj or .off; or many of "
+          "them")
       ->required()
       ->type_name("FILE");
-  command->add_flag("--faces", options->faces,
-                    "list all faces, not only those that are not valid: number, surface, radius or "
-                    "degrees, area, tolerance, colour; -v their axes and parameters, too");
+  command->add_flag(
+      "--faces", options->faces,
+      "list all faces, not only those that are not valid: number, surface, radius or "
+      "degrees, area, tolerance, colour; -v their axes and parameters, too; of triangles "
+      "the groups");
   command->add_flag("--tree", options->tree,
                     "list parts and assemblies, too: names, numbers of solids and faces");
   command->add_flag("--edges", options->edges,

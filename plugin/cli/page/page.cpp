@@ -214,14 +214,16 @@ std::string html_of(const Json& scene) {
 std::string page_html(const Picture& picture, const std::vector<SceneMesh>& meshes) {
   std::string html = html_of(scene_json(picture, meshes));
   double coarseness = 1;
-  for (int i = 1; i < kTries && html.size() >= kPageLimit; ++i) {
+  const bool has_faces = std::ranges::any_of(
+      picture.groups, [](const PictureFaces& group) { return !group.faces.empty(); });
+  for (int i = 1; has_faces && i < kTries && html.size() >= kPageLimit; ++i) {
     coarseness *= kCoarser;
     html = html_of(scene_json(picture, scene_meshes(picture, coarseness)));
   }
   if (html.size() < kPageLimit) return html;
   throw occt::Failure("the page would have " + std::to_string(html.size() / 1'000'000) +
                       " MB, more than " + std::to_string(kPageLimit / 1'000'000) +
-                      "; name the faces to show, as in FILE#1-500");
+                      "; name the faces to show, as in FILE#1-500, or write a --picture or --glb");
 }
 
 }  // namespace blossom::cli

@@ -11,6 +11,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "core/math/vec.h"
+#include "plugin/cli/picture/mesh.h"
 
 namespace blossom::cli {
 
@@ -38,6 +39,7 @@ struct PictureFaces {
   double opacity = 1;
   std::string name = {};                 ///< in the legend; empty for none
   std::vector<std::string> labels = {};  ///< what a page tells of each face, or nothing
+  std::vector<PictureMesh> meshes = {};  ///< shown as they are; their labels follow those of faces
 };
 
 /// How a layer is drawn. Marks are seen through faces.

@@ -55,6 +55,10 @@ std::vector<SceneMesh> scene_meshes(const Picture& picture, double coarseness) {
   const double angle = std::min(kAngle * coarseness, kLargestAngle);
   std::vector<PictureMesh> meshes = picture_meshes(faces, deviation, angle);
   for (std::size_t k = 0; k < scene.size(); ++k) scene[k].mesh = std::move(meshes[k]);
+  for (std::size_t g = 0; g < picture.groups.size(); ++g) {
+    std::size_t face = picture.groups[g].faces.size();
+    for (const PictureMesh& mesh : picture.groups[g].meshes) scene.push_back({mesh, g, face++});
+  }
   return scene;
 }
 

@@ -97,7 +97,7 @@ TEST_F(MeshConversions, AreCheckedBesideModels) {
 
 TEST_F(MeshConversions, AreRefusedByNameWhereTheyAreNoInput) {
   write_text(path("a.off"), kBox);
-  const Finished ran = blossom({"info", path("a.off")});
+  const Finished ran = blossom({"self-intersect", path("a.off")});
   EXPECT_EQ(ran.code, 2);
   EXPECT_NE(ran.err.find("is of triangles"), std::string::npos) << ran.err;
 }

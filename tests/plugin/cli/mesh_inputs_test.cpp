@@ -59,6 +59,83 @@ TEST_F(MeshInputs, AreCheckedForSidesAndVolume) {
   EXPECT_EQ(found["crossings"], 0);
 }
 
+TEST_F(MeshInputs, TellWhatTheyEncloseAndHowLargeTheyAre) {
+  write_text(path("a.off"), kTetrahedron);
+  const nlohmann::json found = report({"info", path("a.off")});
+  EXPECT_EQ(found["schema"], "blossom.mesh-info/1");
+  EXPECT_EQ(found["triangles"], 4);
+  EXPECT_EQ(found["closed"], true);
+  EXPECT_DOUBLE_EQ(found["volume"].get<double>(), 2);
+  EXPECT_NEAR(found["area"].get<double>(), 8 + std::sqrt(22.0), 1e-12);
+  EXPECT_EQ(found["box"], nlohmann::json::parse("[[0.0,0.0,0.0],[2.0,2.0,3.0]]"));
+  EXPECT_NE(blossom({"info", path("a.off")}).out.find("closed, volume 2, area"), std::string::npos);
+  EXPECT_EQ(blossom({"info", path("a.off"), "--edges"}).code, 2);
+
+  write_text(path("b.off"), kOpen);
+  const nlohmann::json open = report({"info", path("b.off")});
+  EXPECT_EQ(open["closed"], false);
+  EXPECT_TRUE(open["volume"].is_null());
+  EXPECT_EQ(open["open_sides"], 3);
+}
+
+TEST_F(MeshInputs, TellTheirGroups) {
+  write_text(path("a.obj"),
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\ng left\nf 1 2 3\ng right\nf 2 4 3\n");
+  const nlohmann::json groups = report({"info", path("a.obj")})["groups"];
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0]["name"], "left");
+  EXPECT_EQ(groups[1]["triangles"], 1);
+  EXPECT_NE(blossom({"info", path("a.obj"), "--faces"}).out.find("right, 1 triangle"),
+            std::string::npos);
+}
+
+TEST_F(MeshInputs, AreLinesOfATableBesideModels) {
+  write(BRepPrimAPI_MakeBox(1, 2, 3), "box.brep");
+  write_text(path("a.off"), kTetrahedron);
+  const Finished ran = blossom({"info", path("box.brep"), path("a.off"), "--table", path("t.csv")});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const std::string table = text_of(path("t.csv"));
+  EXPECT_NE(table.find("box.brep"), std::string::npos) << table;
+  EXPECT_NE(table.find(",closed"), std::string::npos) << table;
+}
+
+TEST_F(MeshInputs, AreShownWithTheirOpenSides) {
+  write_text(path("a.off"), kOpen);
+  const Finished ran = blossom({"check", path("a.off"), "--html", path("a.html"), "--picture",
+                                path("a.png"), "--glb", path("a.glb"), "--size", "200x150"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(text_of(path("a.html")).find("open side"), std::string::npos);
+  EXPECT_NE(text_of(path("a.glb")).find("open side"), std::string::npos);
+  EXPECT_EQ(text_of(path("a.png")).substr(1, 3), "PNG");
+  write_text(path("b.off"), kTetrahedron);
+  EXPECT_EQ(blossom({"info", path("b.off"), "--html", path("b.html")}).code, 0);
+  EXPECT_NE(text_of(path("b.html")).find("4 triangles"), std::string::npos);
+  EXPECT_EQ(text_of(path("b.html")).find("open side"), std::string::npos);
+}
+
+TEST_F(MeshInputs, AreShownWithTheTrianglesThatCross) {
+  write_text(path("a.off"),
+             "OFF\n6 2 0\n0 0 0\n2 0 0\n0 2 0\n0.5 0.5 -1\n0.5 0.5 1\n3 3 0\n"
+             "3 0 1 2\n3 3 4 5\n");
+  ASSERT_EQ(blossom({"check", path("a.off"), "--html", path("a.html")}).code, 0);
+  EXPECT_NE(text_of(path("a.html")).find("triangle 1 crosses triangle 2"), std::string::npos);
+}
+
+TEST_F(MeshInputs, AreShownWithTheirIntersectionsSectionsAndFillings) {
+  write_text(path("a.off"), kTetrahedron);
+  write_text(path("b.off"), "OFF\n3 1 0\n-1 -1 1\n3 -1 1\n-1 3 1\n3 0 1 2\n");
+  write_text(path("c.off"), kOpen);
+  ASSERT_EQ(blossom({"blend", "fill", path("c.off"), "--html", path("f.html")}).code, 0);
+  EXPECT_NE(text_of(path("f.html")).find("1 hole filled"), std::string::npos);
+  ASSERT_EQ(blossom({"query", "plane", path("a.off"), "--point", "0,0,1", "--normal", "0,0,1",
+                     "--html", path("p.html")})
+                .code,
+            0);
+  EXPECT_NE(text_of(path("p.html")).find("closed, length"), std::string::npos);
+  ASSERT_EQ(blossom({"intersect", path("a.off"), path("b.off"), "--html", path("i.html")}).code, 0);
+  EXPECT_NE(text_of(path("i.html")).find("closed, length"), std::string::npos);
+}
+
 TEST_F(MeshInputs, SayHowManySidesAreOpen) {
   write_text(path("a.off"), kOpen);
   EXPECT_EQ(report({"check", path("a.off")})["open_sides"], 3);

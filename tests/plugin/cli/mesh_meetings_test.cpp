@@ -131,11 +131,11 @@ TEST_F(MeshMeetings, WithPlanesAreReportedModelledAndDrawn) {
             2);
 }
 
-TEST_F(MeshMeetings, HaveNoPictures) {
-  const Finished ran =
-      blossom({"intersect", path("a.off"), path("b.off"), "--picture", path("a.png")});
-  EXPECT_EQ(ran.code, 2);
-  EXPECT_NE(ran.err.find("show models, not files of triangles"), std::string::npos) << ran.err;
+TEST_F(MeshMeetings, AreShownWithBothMeshes) {
+  ASSERT_EQ(blossom({"intersect", path("a.off"), path("b.off"), "--html", path("a.html")}).code, 0);
+  const std::string page = text_of(path("a.html"));
+  for (const char* words : {"a.off x b.off", "\"name\":\"b.off\"", "intersection"})
+    EXPECT_NE(page.find(words), std::string::npos) << words;
 }
 
 }  // namespace

@@ -187,8 +187,6 @@ int run_on_many(const CLI::App& command, const CheckCommand& options) {
 int run(const CheckCommand& options) {
   if (options.continuity.wanted)
     return run_continuity(options.inputs.front(), options.common, options.continuity);
-  if (is_mesh_input(options.inputs.front()) && !picture_names(options.common).empty())
-    throw UsageError("--picture, --html and --glb show models, not files of triangles");
   if (is_mesh_input(options.inputs.front()))
     return run_mesh_check(options.inputs.front(), options.common);
   check_files(options.common, options.inputs);

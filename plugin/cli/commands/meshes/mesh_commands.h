@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// `blossom check` and `blossom query distance` of files of triangles.
+// `blossom info`, `check` and `query distance` of files of triangles.
 
 #pragma once
 
@@ -13,6 +13,10 @@
 #include "plugin/cli/output/output.h"
 
 namespace blossom::cli {
+
+/// What the triangles of a file are.
+/// groups   whether its groups are listed
+int run_mesh_info(const std::string& input, bool groups, const CommonOptions& common);
 
 /// What is wrong with the triangles of a file.
 int run_mesh_check(const std::string& input, const CommonOptions& common);

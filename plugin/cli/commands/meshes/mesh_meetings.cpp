@@ -12,6 +12,7 @@
 
 #include "core/base/work_limit.h"
 #include "plugin/cli/arguments/values.h"
+#include "plugin/cli/commands/meshes/mesh_picture.h"
 #include "plugin/cli/commands/meshes/meshed_input.h"
 #include "plugin/cli/commands/query/query_parts.h"
 #include "plugin/cli/exit_code.h"
@@ -78,8 +79,46 @@ std::string notes_text(const MeshCurves& found, const char* moved, const char* i
 void refuse_options_of_models(const CommonOptions& common) {
   refuse_options(common, {"--tolerance", "--form", "--budget", "--joined", "--repeat"},
                  "triangles are compared exactly");
-  if (!picture_names(common).empty())
-    throw UsageError("--picture, --html and --glb show models, not files of triangles");
+}
+
+PictureLayer curve_layer(const std::vector<MeshPolyline>& curves, const std::string& name) {
+  PictureLayer layer{name, kCurveColour};
+  for (const MeshPolyline& curve : curves)
+    layer.items.push_back({curve.points, name + "\n" + (curve.closed ? "closed" : "open") +
+                                             ", length " + number_text(rounded(curve.length))});
+  return layer;
+}
+
+PictureLayer point_layer(const std::vector<Vec3>& points) {
+  PictureLayer layer{"point in common", kTouchColour, LayerStyle::Dot};
+  for (const Vec3& point : points) layer.items.push_back({{point}, layer.name});
+  return layer;
+}
+
+Picture pair_picture(const MeshPair& pair, const std::array<const MeshSource*, 2>& inputs) {
+  Picture picture;
+  picture.title = short_name(pair.a) + " x " + short_name(pair.b);
+  picture.subtitle = to_string(pair.status()) + std::string(", ") + counts_text(pair.found);
+  for (const std::size_t k : {0u, 1u})
+    for (PictureFaces& group :
+         mesh_faces(inputs[k]->mesh(), short_name(inputs[k]->name()),
+                    k == 0 ? kFirstColour : kSecondColour, k == 0 ? kFirstOpacity : kSecondOpacity))
+      picture.groups.push_back(std::move(group));
+  picture.layers = {curve_layer(pair.found.curves, "intersection"), point_layer(pair.found.points)};
+  return picture;
+}
+
+Picture sections_picture(const std::string& input, const meshes::FileMesh& mesh,
+                         const std::vector<PlaneOfMesh>& planes) {
+  Picture picture;
+  picture.title = short_name(input);
+  picture.subtitle = counted(planes.size(), "plane");
+  picture.groups = mesh_faces(mesh, picture.title, kFirstColour, kSecondOpacity);
+  for (const PlaneOfMesh& plane : planes) {
+    picture.layers.push_back(curve_layer(plane.found.curves, plane.name));
+    picture.layers.push_back(point_layer(plane.found.points));
+  }
+  return picture;
 }
 
 void mesh_model(MeshSource& input) {
@@ -140,7 +179,11 @@ int run_mesh_intersection(const std::string& a, const std::string& b, const Comm
   pair.found =
       with_cgal(meshes::curves_of_meshes(first.mesh(), second.mesh(), stop_if_interrupted));
   pair.seconds = watch.seconds();
+  const std::vector<PictureFile> pictures = picture_files(common, [&] {
+    return pair_picture(pair, {&first, &second});
+  });
   stop_if_interrupted();
+  write_pictures(pictures);
   if (!common.output.empty()) {
     SectionsAnswer answer;
     answer.planes.push_back(
@@ -173,6 +216,10 @@ int run_mesh_sections(const std::string& input, const std::vector<NamedPlane>& p
     answer.planes.push_back({plane, {std::move(part)}});
   }
   answer.seconds = watch.seconds();
+  const std::vector<PictureFile> pictures =
+      picture_files(common, [&] { return sections_picture(input, mesh, cuts); });
+  stop_if_interrupted();
+  write_pictures(pictures);
   const Json report = meshes::mesh_sections_report(input, answer.status, cuts, answer.seconds);
   if (ending_of(common.output) == ".json")
     write_json(report, common.output);
