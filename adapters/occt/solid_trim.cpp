@@ -47,7 +47,7 @@ void add_facts(const SolidTrimResult& step, SolidTrimResult& result) {
   add(result.certificate, step.certificate);
   result.volumes.insert(result.volumes.end(), step.volumes.begin(), step.volumes.end());
   result.obstacles.insert(result.obstacles.end(), step.obstacles.begin(), step.obstacles.end());
-  result.thin.insert(result.thin.end(), step.thin.begin(), step.thin.end());
+  result.merged.insert(result.merged.end(), step.merged.begin(), step.merged.end());
 }
 
 // Of solids that nothing was done to, or of a step: the solids with their faces.

@@ -117,7 +117,7 @@ struct SolidTrimResult {
   std::vector<std::string> left_out;    ///< faces of inputs that are loose beside closed solids
   std::vector<std::string> obstacles;   ///< why there is no result; none if it can be used
   std::vector<Finding> findings;        ///< causes of obstacles, looked for once there are some
-  std::vector<std::string> thin;        ///< pieces, or cuts, that are apart and count as one; what
+  std::vector<std::string> merged;      ///< pieces, or cuts, that are apart and count as one; what
                                         ///< of a sheet ends inside of the part
   std::vector<std::string> tolerances;  ///< what was not true about those of the part and the tools
 };

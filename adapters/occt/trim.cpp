@@ -316,7 +316,7 @@ std::optional<std::vector<DividedFace>> divided_by_solids(const std::vector<Part
   }
   result.status = made.status;
   result.certificate = made.certificate;
-  result.notes.insert(result.notes.end(), made.thin.begin(), made.thin.end());
+  result.notes.insert(result.notes.end(), made.merged.begin(), made.merged.end());
   result.notes.insert(result.notes.end(), made.tolerances.begin(), made.tolerances.end());
   std::vector<DividedFace> faces;
   for (const PartFace& face : part) faces.push_back({&face});

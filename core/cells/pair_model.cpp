@@ -145,7 +145,7 @@ PairJet PairModel::jet(const std::array<double, 4>& place) const {
 
 // Rows of the inverse of (B_s, B_t, n) take F apart: along the tangents of b they say where the
 // points of a lie over b, and n how high.
-bool PairModel::apart(double least) const {
+bool PairModel::are_disjoint(double least) const {
   const PairJet jet = this->jet({});
   const Vec3 s = -jet.columns[2], t = -jet.columns[3], normal = cross(s, t);
   const double square = dot(normal, normal);

@@ -44,7 +44,7 @@ class PairModel {
   /// True if F vanishes nowhere in the pair since, to second order, the one surface lies above the
   /// other by more than `least`, model units, where they are over each other. Tells more than
   /// planes do where both bend alike.
-  bool apart(double least) const;
+  bool are_disjoint(double least) const;
 
   /// The columns of J over a part of the pair, from what is known at some place near it.
   JacobianBounds jacobian(const PairJet& jet, const PairPart& part) const;

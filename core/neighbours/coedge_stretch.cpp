@@ -29,7 +29,7 @@ bool holds(const PlanarBox& box, const Vec2& p) {
 
 bool meets(const PlanarBezier& piece, const PlanarBox& box, int halvings) {
   const PlanarBox own = box_of(piece.points);
-  if (apart(own, box)) return false;
+  if (are_disjoint(own, box)) return false;
   if (halvings == 0 || holds(box, projected(piece.points.front())) ||
       holds(box, projected(piece.points.back())) ||
       distance(own.low, own.high) < kTooSmall * distance(box.low, box.high))
@@ -43,7 +43,7 @@ bool meets(const Coedge& edge, const Interval& range, const PlanarBox& box) {
   for (std::size_t i = 0; i < edge.curve.spans.size(); ++i) {
     const PlanarSpan& span = edge.curve.spans[i];
     const Interval common{std::max(range.from, span.place.from), std::min(range.to, span.place.to)};
-    if (!(common.from < common.to) || apart(edge.boxes[i], box)) continue;
+    if (!(common.from < common.to) || are_disjoint(edge.boxes[i], box)) continue;
     const Interval local{local_parameter(span.law, span.place, common.from),
                          local_parameter(span.law, span.place, common.to)};
     if (meets(bezier_piece(span.curve, local), box, kMaxHalvings)) return true;
@@ -123,7 +123,7 @@ bool keeps_inside(const PlanarBezier& other, const PlanarBezier& piece,
                   const CoedgeStretch& stretch, const PlanarBox& box, int halvings) {
   const int k = stretch.along;
   const PlanarBox of_other = box_of(other.points), of_piece = box_of(piece.points);
-  if (apart(of_other, box) || of_other.low[k] > of_piece.high[k] ||
+  if (are_disjoint(of_other, box) || of_other.low[k] > of_piece.high[k] ||
       of_other.high[k] < of_piece.low[k])
     return true;
   const Vec2 chord = projected(piece.points.back()) - projected(piece.points.front());
@@ -157,7 +157,7 @@ Others others_at(const FaceTrims& trims, const Coedge& edge, const CoedgeStretch
       if (&other == &edge) continue;
       for (std::size_t i = 0; i < other.boxes.size(); ++i) {
         const PlanarBezier& curve = other.curve.spans[i].curve;
-        if (apart(other.boxes[i], box) || !meets(curve, box, kMaxHalvings)) continue;
+        if (are_disjoint(other.boxes[i], box) || !meets(curve, box, kMaxHalvings)) continue;
         all = Others::KeepInside;
         if (stretch.shortfall > 0 ||
             !std::ranges::all_of(stretch.pieces, [&](const PlanarBezier& piece) {
@@ -171,7 +171,7 @@ Others others_at(const FaceTrims& trims, const Coedge& edge, const CoedgeStretch
 
 }  // namespace
 
-bool apart(const PlanarBox& a, const PlanarBox& b) {
+bool are_disjoint(const PlanarBox& a, const PlanarBox& b) {
   for (int k = 0; k < 2; ++k)
     if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return true;
   return false;

@@ -13,7 +13,7 @@
 
 namespace blossom {
 
-bool apart(const PlanarBox& a, const PlanarBox& b);
+bool are_disjoint(const PlanarBox& a, const PlanarBox& b);
 
 /// A stretch of an edge past a rectangle of the chart.
 struct CoedgeStretch {

@@ -140,7 +140,7 @@ bool FaceCells::meets_gap(const PlanarBox& box) const {
     const Interval domain = coedge.curve.domain();
     const Vec2 end = point_at(coedge.curve, start == coedge.reversed ? domain.to : domain.from);
     const Vec2& joint = data_.trims.corners[static_cast<std::size_t>(corner)];
-    return !apart(box, united({end, end}, {joint, joint}));
+    return !are_disjoint(box, united({end, end}, {joint, joint}));
   };
   for (const auto& loop : data_.trims.loops)
     for (const Coedge& coedge : loop)

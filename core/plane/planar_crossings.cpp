@@ -62,7 +62,7 @@ CurveSpans lifted(const PlanarCurve& curve, double tolerance) {
   return result;
 }
 
-bool apart(const PlanarBox& a, const PlanarBox& b, double tolerance) {
+bool are_disjoint(const PlanarBox& a, const PlanarBox& b, double tolerance) {
   for (int k = 0; k < 2; ++k)
     if (a.low[k] > b.high[k] + tolerance || b.low[k] > a.high[k] + tolerance) return true;
   return false;
@@ -85,7 +85,7 @@ PlanarCrossings crossings(const PlanarCurve& a, const PlanarCurve& b, double tol
                           long budget) {
   if (!(tolerance > 0)) throw InvalidInput("crossings: the tolerance must be positive");
   if (a.spans.empty() || b.spans.empty()) throw InvalidInput("crossings: a curve has no span");
-  if (apart(box_of(a), box_of(b), tolerance)) return {};
+  if (are_disjoint(box_of(a), box_of(b), tolerance)) return {};
   IntersectionOptions options;
   options.tolerances.point = tolerance;
   options.budget = budget;

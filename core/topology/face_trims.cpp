@@ -132,7 +132,7 @@ bool is_natural(const FaceTrims& trims) {
                      [&](const Coedge& coedge) { return lies_on_border(coedge.curve, trims.box); });
 }
 
-bool apart(const PlanarBox& a, const PlanarBox& b) {
+bool are_disjoint(const PlanarBox& a, const PlanarBox& b) {
   for (int k = 0; k < 2; ++k)
     if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return true;
   return false;
@@ -151,11 +151,11 @@ bool lies_beside(const PlanarBezier& line, const PlanarBox& box) {
 
 bool holds_end(const PlanarBox& box, const Vec3& end) {
   const Vec2 p = projected(end);
-  return !apart(box, {p, p});
+  return !are_disjoint(box, {p, p});
 }
 
 bool may_meet(const PlanarBezier& piece, const PlanarBox& box, int halvings) {
-  if (apart(box_of(piece.points), box)) return false;
+  if (are_disjoint(box_of(piece.points), box)) return false;
   if (piece.degree() == 1) return !lies_beside(piece, box);
   if (holds_end(box, piece.points.front()) || holds_end(box, piece.points.back())) return true;
   return halvings == 0 || may_meet(bezier_piece(piece, {0, 0.5}), box, halvings - 1) ||
@@ -194,7 +194,8 @@ const Coedge* coedge_near(const FaceTrims& trims, const PlanarBox& box, double m
       const double loose = wires == Wires::WithTolerances ? coedge.tolerance : 0;
       const PlanarBox near = grown(box, margin + loose);
       for (std::size_t k = 0; k < coedge.boxes.size(); ++k)
-        if (!apart(coedge.boxes[k], near) && may_meet(coedge.curve.spans[k].curve, near, halvings))
+        if (!are_disjoint(coedge.boxes[k], near) &&
+            may_meet(coedge.curve.spans[k].curve, near, halvings))
           return &coedge;
     }
   return nullptr;

@@ -35,7 +35,7 @@ struct PlacedCoedge {
   int loop = 0;
 };
 
-bool apart(const PlanarBox& a, const PlanarBox& b, double margin) {
+bool are_disjoint(const PlanarBox& a, const PlanarBox& b, double margin) {
   for (int k = 0; k < 2; ++k)
     if (a.low[k] > b.high[k] + margin || b.low[k] > a.high[k] + margin) return true;
   return false;
@@ -189,7 +189,7 @@ std::vector<Problem> wire_problems(const TopoDS_Face& face) {
   }
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = i + 1; k < all.size(); ++k) {
-      if (apart(all[i].box, all[k].box, Precision::Confusion())) continue;
+      if (are_disjoint(all[i].box, all[k].box, Precision::Confusion())) continue;
       if (const auto place = meeting_place(trims, shapes, *all[i].coedge, *all[k].coedge))
         problems.push_back(meeting_problem(trims, all[i], all[k], *place));
     }

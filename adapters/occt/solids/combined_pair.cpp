@@ -110,8 +110,8 @@ Results results_of(const std::vector<Measured>& part, const std::vector<Measured
 }
 
 void tell_left_out(int shells, SolidTrimResult& result) {
-  result.thin.push_back((shells == 1 ? "a shell" : std::to_string(shells) + " shells") +
-                        std::string(" of no more than what tolerances of edges cover, left out"));
+  result.merged.push_back((shells == 1 ? "a shell" : std::to_string(shells) + " shells") +
+                          std::string(" of no more than what tolerances of edges cover, left out"));
   result.status = weaker(result.status, Status::Tolerance);
 }
 
@@ -167,7 +167,7 @@ SolidTrimResult combined_of(const SolidPieces& pieces, const PairJob& job,
   result.status = pieces.status;
   result.certificate = pieces.certificate;
   result.obstacles = pieces.obstacles;
-  result.thin = pieces.thin;
+  result.merged = pieces.merged;
   if (!result.obstacles.empty()) return result;
   try {
     if (!part.is_solid())

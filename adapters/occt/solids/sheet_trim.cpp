@@ -84,7 +84,7 @@ std::vector<SolidFace> SheetWork::divided(const Divider& by, SolidOperation how)
   told.status = weaker(told.status, made.status);
   add(told.certificate, made.certificate);
   told.obstacles.insert(told.obstacles.end(), made.obstacles.begin(), made.obstacles.end());
-  told.thin.insert(told.thin.end(), made.thin.begin(), made.thin.end());
+  told.merged.insert(told.merged.end(), made.merged.begin(), made.merged.end());
   return std::move(made.faces);
 }
 

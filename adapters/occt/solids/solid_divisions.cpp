@@ -67,7 +67,7 @@ void SolidDivisions::tell_tolerance(double tolerance, SolidPieces& pieces) const
          << ", may be apart in the result";
   else
     text << "what is nearer to each other than " << tolerance << " counts as one";
-  pieces.thin.push_back(text.str());
+  pieces.merged.push_back(text.str());
   pieces.status = weaker(pieces.status, Status::Tolerance);
 }
 

@@ -144,13 +144,13 @@ void exchange_stops(Side& a, Side& b, std::vector<CurveUse>& uses) {
   }
 }
 
-void lay(const std::vector<std::vector<TopoDS_Edge>>& edges, const CommonEdges& common, Side& side,
-         const DivisionJob& job) {
+void add_coincident(const std::vector<std::vector<TopoDS_Edge>>& edges, const CommonEdges& common,
+                    Side& side, const DivisionJob& job) {
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (const TopoDS_Edge& edge : edges[i]) {
       side.faces[i].begin(job);
-      side.faces[i].splitter()->lay(edge, common.reach(edge),
-                                    common.runs_along(edge, side.faces[i].face()));
+      side.faces[i].splitter()->add_coincident(edge, common.reach(edge),
+                                               common.runs_along(edge, side.faces[i].face()));
     }
 }
 
@@ -164,8 +164,8 @@ void split_both(Side& a, Side& b, std::vector<CurveUse>& uses, const CommonEdges
     for (FaceDivision& face : side->faces) face.settle();
   exchange_stops(a, b, uses);
   common.match(job.splits);
-  lay(common.in_a(), common, a, job);
-  lay(common.in_b(), common, b, job);
+  add_coincident(common.in_a(), common, a, job);
+  add_coincident(common.in_b(), common, b, job);
   for (Side* side : {&a, &b})
     for (FaceDivision& face : side->faces) face.finish(job);
 }
@@ -244,27 +244,27 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
     if (left_out && !fits)
       add_once(b.face_name(use.face_b) + " ends inside of " + a.face_name(use.face_a) +
                    " and divides nothing there",
-               result.thin);
+               result.merged);
     if (!join_matching(on_a[i], on_b[i], common, joined))
       result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
                                  " meet along an edge together with others");
   }
 }
 
-void join_laid(const Side& side, EdgeUnion& joined, SolidPieces& result) {
+void join_coincident(const Side& side, EdgeUnion& joined, SolidPieces& result) {
   for (std::size_t i = 0; i < side.faces.size(); ++i)
-    for (const LaidEdge& laid : side.faces[i].split().laid)
-      if (!joined.join(laid.piece, laid.edge, laid.edge, false))
+    for (const CoincidentEdge& coincident : side.faces[i].split().coincident)
+      if (!joined.join(coincident.piece, coincident.edge, coincident.edge, false))
         result.obstacles.push_back(side.face_name(i) +
                                    ": an edge of the other solid lies in two of its faces");
 }
 
 // What lies between cuts that repeat each other is in no piece.
-void tell_repeats(const Side& side, std::vector<std::string>& thin) {
+void tell_repeats(const Side& side, std::vector<std::string>& merged) {
   for (std::size_t i = 0; i < side.faces.size(); ++i)
     if (!side.faces[i].split().repeats.empty())
-      thin.push_back(side.face_name(i) +
-                     ": cuts that keep within tolerance of each other count as one");
+      merged.push_back(side.face_name(i) +
+                       ": cuts that keep within tolerance of each other count as one");
 }
 
 // What the cuts on its border say of a piece.
@@ -351,13 +351,15 @@ bool attempt(const char* what, const WorkLimit& limit, SolidPieces& result, cons
   return false;
 }
 
-void tell_thin(const CommonEdges& common, const EdgeUnion& joined, std::vector<std::string>& thin) {
-  if (joined.lost_wires() > 0) thin.emplace_back("what lies in one vertex as a whole is left out");
+void tell_merged(const CommonEdges& common, const EdgeUnion& joined,
+                 std::vector<std::string>& merged) {
+  if (joined.lost_wires() > 0)
+    merged.emplace_back("what lies in one vertex as a whole is left out");
   if (common.loosest() == 0) return;
   std::ostringstream text;
   text << "edges lie in faces of the other solid within their own tolerances of up to "
        << common.loosest();
-  thin.push_back(text.str());
+  merged.push_back(text.str());
 }
 
 // found   of the faces
@@ -393,7 +395,7 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
   EdgeUnion joined;
   if (const std::string cause = common.join(splits, joined); !cause.empty())
     result.obstacles.push_back(cause);
-  for (const Side* side : {&side_a, &side_b}) join_laid(*side, joined, result);
+  for (const Side* side : {&side_a, &side_b}) join_coincident(*side, joined, result);
   attempt("joining the solids", limit, result,
           [&] { join_edges(side_a, side_b, uses, common, tolerance, joined, result); });
   if (!result.obstacles.empty()) {
@@ -411,12 +413,12 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
   attempt("finding sides", limit, result, [&] {
     SidesTold told = find_sides(split_a, split_b, overlaps_of(found), tolerance, &limit);
     result.obstacles.insert(result.obstacles.end(), told.obstacles.begin(), told.obstacles.end());
-    std::ranges::move(told.thin, std::back_inserter(result.thin));
+    std::ranges::move(told.merged, std::back_inserter(result.merged));
     result.between = told.between;
   });
-  for (const Side* side : {&side_a, &side_b}) tell_repeats(*side, result.thin);
-  tell_thin(common, joined, result.thin);
-  if (!result.thin.empty()) result.status = weaker(result.status, Status::Tolerance);
+  for (const Side* side : {&side_a, &side_b}) tell_repeats(*side, result.merged);
+  tell_merged(common, joined, result.merged);
+  if (!result.merged.empty()) result.status = weaker(result.status, Status::Tolerance);
   result.a = std::move(split_a.pieces);
   result.b = std::move(split_b.pieces);
   return result;

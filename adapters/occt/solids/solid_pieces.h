@@ -20,7 +20,7 @@ struct SolidPieces {
   std::vector<SolidPiece> a;
   std::vector<SolidPiece> b;
   std::vector<std::string> obstacles;  ///< none if the pieces can be used
-  std::vector<std::string> thin;       ///< pieces of both, or cuts, that are apart and count as one
+  std::vector<std::string> merged;     ///< pieces of both, or cuts, that are apart and count as one
   double between = 0;                  ///< about the volume between such pieces, cubic model units
 };
 

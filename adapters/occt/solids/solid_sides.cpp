@@ -114,7 +114,7 @@ void match_pieces(SplitSolid& a, SplitSolid& b, const std::vector<std::vector<st
       piece.side = other.side = lying->side;
       if (lying->gap <= kApart * tolerance) continue;
       told.between += kTilt * lying->gap * area(piece.face);
-      if (!overlaps) told.thin.push_back(thin_text(a, piece, b, other, lying->gap));
+      if (!overlaps) told.merged.push_back(thin_text(a, piece, b, other, lying->gap));
     }
   }
 }

@@ -43,7 +43,7 @@ struct SplitSolid {
 /// What `find_sides` has to tell.
 struct SidesTold {
   std::vector<std::string> obstacles;  ///< what is not decided
-  std::vector<std::string> thin;       ///< what counts as one although it is apart
+  std::vector<std::string> merged;     ///< what counts as one although it is apart
   double between = 0;  ///< about the volume between pieces that do, cubic model units
 };
 

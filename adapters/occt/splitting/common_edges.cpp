@@ -89,7 +89,7 @@ void CommonEdges::add(const FaceIntersection& pair) {
   const auto& curves = pair.found.curves;
   for (const Place& place : pair.found.places)
     if (place.kind == PlaceKind::Node)
-      for (const auto* edges : {&of_a, &of_b}) blur_in(place, *edges);
+      for (const auto* edges : {&of_a, &of_b}) add_uncertain_in(place, *edges);
   const auto any_along = [&](const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& of,
                              const TopoDS_Face& other) {
     const auto most = [this](const TopoDS_Edge& edge) { return most_reach(edge); };
@@ -100,14 +100,14 @@ void CommonEdges::add(const FaceIntersection& pair) {
            may_lie_on(edges, of, other, options_.tolerances.point, most);
   };
   const bool overlap = has_overlap(pair);
-  if (overlap || any_along(of_b, b_[face_b], a_[face_a])) lay(of_b, Of::B, face_a);
-  if (overlap || any_along(of_a, a_[face_a], b_[face_b])) lay(of_a, Of::A, face_b);
+  if (overlap || any_along(of_b, b_[face_b], a_[face_a])) add_coincident(of_b, Of::B, face_a);
+  if (overlap || any_along(of_a, a_[face_a], b_[face_b])) add_coincident(of_a, Of::A, face_b);
 }
 
-void CommonEdges::blur_in(const Place& node, const std::vector<TopoDS_Edge>& edges) {
+void CommonEdges::add_uncertain_in(const Place& node, const std::vector<TopoDS_Edge>& edges) {
   for (const TopoDS_Edge& edge : edges)
     if (const auto at = stretch_in_node(curve_of(edge), node, options_.tolerances.point))
-      blurs_.push_back({edge, *at});
+      uncertain_.push_back({edge, *at});
 }
 
 void CommonEdges::add_loose() {
@@ -121,8 +121,8 @@ void CommonEdges::add_loose() {
     return edges;
   };
   const std::vector<TopoDS_Edge> of_a = loose_of(a_), of_b = loose_of(b_);
-  for (std::size_t i = 0; i < a_.size() && !of_b.empty(); ++i) lay(of_b, Of::B, i);
-  for (std::size_t i = 0; i < b_.size() && !of_a.empty(); ++i) lay(of_a, Of::A, i);
+  for (std::size_t i = 0; i < a_.size() && !of_b.empty(); ++i) add_coincident(of_b, Of::B, i);
+  for (std::size_t i = 0; i < b_.size() && !of_a.empty(); ++i) add_coincident(of_a, Of::A, i);
 }
 
 double CommonEdges::most_reach(const TopoDS_Edge& edge) const {
@@ -176,7 +176,7 @@ bool CommonEdges::is_in(const TopoDS_Edge& edge, const TopoDS_Face& face,
 }
 
 // Which of the edges lie in a face of the other shape, and where they meet its edges.
-void CommonEdges::lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face) {
+void CommonEdges::add_coincident(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face) {
   const TopoDS_Face& in = of == Of::A ? b_[face] : a_[face];
   std::vector<TopoDS_Edge>& lying = of == Of::A ? in_b_[face] : in_a_[face];
   std::optional<SurfaceProjector> feet;
@@ -247,25 +247,25 @@ void CommonEdges::touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of who
   for (const CurveSurfacePoint& point : points)
     if (point.tangential && is_short(curve, point.box_t, options_.tolerances.point))
       touches_.push_back({edge, point.t});
-  const std::size_t blurred = blurs_.size();
-  blur(edge, face, points);
-  if (touches_.size() == known && blurs_.size() == blurred) return;
+  const std::size_t uncertain = uncertain_.size();
+  add_uncertain(edge, face, points);
+  if (touches_.size() == known && uncertain_.size() == uncertain) return;
   for (const TopoDS_Edge& border : bounding_edges(face))  // where it may touch as well
     whose == Of::A ? meet(edge, border) : meet(border, edge);
 }
 
-void CommonEdges::blur(const TopoDS_Edge& edge, const TopoDS_Face& face,
-                       const std::vector<CurveSurfacePoint>& points) {
+void CommonEdges::add_uncertain(const TopoDS_Edge& edge, const TopoDS_Face& face,
+                                const std::vector<CurveSurfacePoint>& points) {
   const double tolerance = options_.tolerances.point;
   const double within = tolerance + BRep_Tool::Tolerance(edge);
   const RangedCurve of = curve_of(edge);
   for (const Interval& place : one_places(of, face, points, tolerance, within)) {
-    blurs_.push_back({edge, widened_by(of, place, kSampledMargin * within)});
+    uncertain_.push_back({edge, widened_by(of, place, kSampledMargin * within)});
     for (const TopoDS_Edge& border : bounding_edges(face)) {
       const RangedCurve along = curve_of(border);
       const std::optional<Interval> beside = stretch_beside(along, of, place, within);
       if (beside && is_short(along, *beside, tolerance))
-        blurs_.push_back({border, widened_by(along, *beside, kSampledMargin * within)});
+        uncertain_.push_back({border, widened_by(along, *beside, kSampledMargin * within)});
     }
   }
 }
@@ -316,7 +316,7 @@ std::vector<Interval> CommonEdges::runs_along(const TopoDS_Edge& edge,
 
 // What is known to be a vertex comes first, so that it stands for all that is in one place with it.
 void CommonEdges::split(EdgeSplits& splits) const {
-  for (const EdgeBlur& of : blurs_) splits.blur(of.edge, of.at);
+  for (const UncertainStretch& of : uncertain_) splits.add_uncertain(of.edge, of.at);
   const auto is_end = [this](const TopoDS_Edge& edge, double t) {
     const RangedCurve of = curve_of(edge);
     const gp_Pnt point = of.curve->Value(t);

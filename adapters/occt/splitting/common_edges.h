@@ -52,7 +52,7 @@ struct EdgeTouch {
 };
 
 /// A stretch of an edge that is one place of it: all of it is within tolerance of a face.
-struct EdgeBlur {
+struct UncertainStretch {
   TopoDS_Edge edge;
   Interval at;
 };
@@ -131,13 +131,13 @@ class CommonEdges {
   double most_reach(const TopoDS_Edge& edge) const;
   bool lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet);
   bool is_in(const TopoDS_Edge& edge, const TopoDS_Face& face, const SurfaceProjector& feet);
-  void lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
+  void add_coincident(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
   void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
   void touch(const FaceIntersection& pair, Of whose);
   void touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of whose);
-  void blur(const TopoDS_Edge& edge, const TopoDS_Face& face,
-            const std::vector<CurveSurfacePoint>& points);
-  void blur_in(const Place& node, const std::vector<TopoDS_Edge>& edges);
+  void add_uncertain(const TopoDS_Edge& edge, const TopoDS_Face& face,
+                     const std::vector<CurveSurfacePoint>& points);
+  void add_uncertain_in(const Place& node, const std::vector<TopoDS_Edge>& edges);
   const std::vector<TopoDS_Face>& a_;
   const std::vector<TopoDS_Face>& b_;
   IntersectionOptions options_;
@@ -157,7 +157,7 @@ class CommonEdges {
   std::vector<EdgesMeeting> meetings_;
   std::vector<EdgesAlong> along_;
   std::vector<EdgeTouch> touches_;
-  std::vector<EdgeBlur> blurs_;
+  std::vector<UncertainStretch> uncertain_;
 };
 
 }  // namespace blossom::occt

@@ -92,30 +92,31 @@ bool FaceSplitter::add_inner_arcs() {
   return !trims_.inner.empty();
 }
 
-bool FaceSplitter::add_laid_arcs() {
-  if (laid_.empty()) return false;
+bool FaceSplitter::add_coincident_arcs() {
+  if (coincident_.empty()) return false;
   const std::size_t before = arcs_.size();
   const SurfaceProjector feet(face_, tolerance_);
-  for (const auto& [edge, reach, along] : laid_)
+  for (const auto& [edge, reach, along] : coincident_)
     for (const EdgePiece& piece : splits_.pieces(edge)) {
       const double middle = at(piece.range, 0.5);
       if (std::ranges::none_of(
               along, [&](const Interval& run) { return run.from <= middle && middle <= run.to; }))
-        add_laid_arc(piece, reach, feet);
+        add_coincident_arc(piece, reach, feet);
     }
   return arcs_.size() > before;
 }
 
 // A pole is one vertex but a whole side of the chart: it is split where the edge comes to it.
-void FaceSplitter::lay(const TopoDS_Edge& edge, double reach, const std::vector<Interval>& along) {
-  laid_.push_back({edge, reach, along});
+void FaceSplitter::add_coincident(const TopoDS_Edge& edge, double reach,
+                                  const std::vector<Interval>& along) {
+  coincident_.push_back({edge, reach, along});
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i)
       if (trims_.loops[loop][i].degenerated)
-        lay_in_pole(edge, static_cast<int>(loop), static_cast<int>(i));
+        split_pole_at(edge, static_cast<int>(loop), static_cast<int>(i));
 }
 
-void FaceSplitter::lay_in_pole(const TopoDS_Edge& edge, int loop, int index) {
+void FaceSplitter::split_pole_at(const TopoDS_Edge& edge, int loop, int index) {
   const Coedge& pole = coedge(loop, index);
   const SurfaceProjector feet(face_, tolerance_);
   Interval range;
@@ -138,9 +139,9 @@ void FaceSplitter::lay_in_pole(const TopoDS_Edge& edge, int loop, int index) {
   }
 }
 
-FaceSplitter::LaidCurve FaceSplitter::laid_curve(const TopoDS_Edge& edge,
-                                                 const SurfaceProjector& feet) const {
-  LaidCurve of;
+FaceSplitter::CoincidentCurve FaceSplitter::coincident_curve(const TopoDS_Edge& edge,
+                                                             const SurfaceProjector& feet) const {
+  CoincidentCurve of;
   Interval range;
   of.curve = BRep_Tool::Curve(edge, range.from, range.to);
   const double allowed = std::max(kReach * tolerance_, BRep_Tool::Tolerance(edge));
@@ -153,8 +154,8 @@ FaceSplitter::LaidCurve FaceSplitter::laid_curve(const TopoDS_Edge& edge,
 
 // The edge that takes the place of a piece of another shape's, its chart curve moved by periods,
 // between vertices of this face: what it meets here may be known to this face alone.
-TopoDS_Edge FaceSplitter::laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift,
-                                    int from, int to) {
+TopoDS_Edge FaceSplitter::coincident_edge(const EdgePiece& piece, const CoincidentCurve& of,
+                                          const Vec2& shift, int from, int to) {
   TopLoc_Location location;
   const Handle(Geom_Surface) raw = BRep_Tool::Surface(face_, location);
   const gp_Vec2d move(shift[0] / trims_.scale[0], shift[1] / trims_.scale[1]);
@@ -200,10 +201,10 @@ bool FaceSplitter::lies_in_face(const EdgePiece& piece, double reach,
   return false;
 }
 
-void FaceSplitter::add_laid_arc(const EdgePiece& piece, double reach,
-                                const SurfaceProjector& feet) {
+void FaceSplitter::add_coincident_arc(const EdgePiece& piece, double reach,
+                                      const SurfaceProjector& feet) {
   if (!lies_in_face(piece, reach, feet)) return;
-  const LaidCurve of = laid_curve(piece.edge, feet);
+  const CoincidentCurve of = coincident_curve(piece.edge, feet);
   const auto vertex = [&](const TopoDS_Vertex& shape, const Vec2& point) {
     if (const int known = vertex_of_shape(shape, point); known >= 0) return known;
     vertices_.push_back({point, -1, -1, -1, shape});
@@ -217,7 +218,7 @@ void FaceSplitter::add_laid_arc(const EdgePiece& piece, double reach,
     const int from = vertex(TopExp::FirstVertex(piece.edge), start_of(path));
     const int to = vertex(TopExp::LastVertex(piece.edge), end_of(path));
     arcs_.push_back({from, to, std::move(path), false});
-    origins_.push_back({laid_edge(piece, of, shift, from, to), {}, -1, -1, piece.edge});
+    origins_.push_back({coincident_edge(piece, of, shift, from, to), {}, -1, -1, piece.edge});
   }
 }
 

@@ -343,7 +343,7 @@ FaceSplit FaceSplitter::divided(const ChartPieces& found, OpenCuts open) {
   for (std::size_t i = 0; i < arcs_.size(); ++i)
     if (!origins_[i].piece.IsNull() && std::find(found.dangling.begin(), found.dangling.end(),
                                                  static_cast<int>(i)) == found.dangling.end())
-      result.laid.push_back({origins_[i].piece, origins_[i].edge});
+      result.coincident.push_back({origins_[i].piece, origins_[i].edge});
   result.notes = notes_;
   return result;
 }
@@ -373,8 +373,8 @@ FaceSplit FaceSplitter::undivided(const std::vector<int>& imprinted) {
 
 FaceSplit FaceSplitter::split(OpenCuts open) {
   add_border_arcs();
-  const bool any_inner = add_inner_arcs(), any_laid = add_laid_arcs();
-  if (!add_cut_arcs() && !any_inner && !any_laid) return undivided();
+  const bool any_inner = add_inner_arcs(), any_coincident = add_coincident_arcs();
+  if (!add_cut_arcs() && !any_inner && !any_coincident) return undivided();
   const ChartPieces found = pieces(arcs_, tolerance_);
   for (const int arc : found.dangling)
     if (origins_[static_cast<std::size_t>(arc)].lifted_cut >= 0)

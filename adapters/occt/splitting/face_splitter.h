@@ -53,15 +53,15 @@ struct FacePiece {
 };
 
 /// A piece of an edge of another shape, and the edge that takes its place in a face.
-struct LaidEdge {
+struct CoincidentEdge {
   TopoDS_Edge piece;  ///< as EdgeSplits has it
   TopoDS_Edge edge;   ///< same vertices, curve and parameters, with a chart curve on the face
 };
 
 struct FaceSplit {
   std::vector<FacePiece> pieces;
-  std::vector<std::string> notes;  ///< cuts that were left out, and why
-  std::vector<LaidEdge> laid{};    ///< that bound pieces
+  std::vector<std::string> notes;            ///< cuts that were left out, and why
+  std::vector<CoincidentEdge> coincident{};  ///< that bound pieces
   /// Where cuts repeat others: the edge of the first, along the others; and that edge itself, used
   /// by the first cut, where it bounds no piece since the cuts are the two sides of a slit.
   std::vector<CutUse> repeats{};
@@ -104,7 +104,7 @@ class FaceSplitter {
   /// outside, and those that divide nothing, are left out.
   /// reach   what of the edge is so near the surface lies in it; model units
   /// along   where it runs along edges of the face, between splits
-  void lay(const TopoDS_Edge& edge, double reach, const std::vector<Interval>& along);
+  void add_coincident(const TopoDS_Edge& edge, double reach, const std::vector<Interval>& along);
 
   /// Where a settled cut ends, meets wires or other cuts, by increasing parameter. For the face on
   /// the other side of the cut, which is to be divided at the same places.
@@ -153,7 +153,7 @@ class FaceSplitter {
     std::vector<TrimMeeting> touches;           // of wires, whose places are the least certain
   };
   // An edge of another shape in the chart of the face.
-  struct LaidCurve {
+  struct CoincidentCurve {
     Handle(Geom_Curve) curve;
     Handle(Geom2d_Curve) image;  // in the surface's parameters
     PlanarCurve chart;           // in chart coordinates
@@ -165,7 +165,7 @@ class FaceSplitter {
     std::vector<CutUse> uses;          // of cuts, along the arc
     int lifted_cut = -1;               // of cuts only
     int loop = -1;                     // of borders and internal edges
-    TopoDS_Edge piece = {};            // of laid edges: what the edge stands for
+    TopoDS_Edge piece = {};            // of coincident edges: what the edge stands for
     std::vector<CutUse> repeats = {};  // of cuts that repeat this one
   };
 
@@ -188,7 +188,7 @@ class FaceSplitter {
   void unite(int kept, int left);
   // Whether the curve stays within `reach` between the two parameters.
   static bool is_near(const PlanarCurve& curve, double s, double t, double reach);
-  void unite_blurred();
+  void unite_uncertain();
   void unite_loose_ends();
   int vertex_of(const TrimMeeting& meeting, double uncertainty, double inverse_sine = 1);
   double inverse_sine(const LiftedCut& lifted_cut, const TrimMeeting& meeting) const;
@@ -204,12 +204,12 @@ class FaceSplitter {
   int inner_vertex(int index, int split);
   int vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point) const;
   bool add_inner_arcs();
-  bool add_laid_arcs();
-  void add_laid_arc(const EdgePiece& piece, double reach, const SurfaceProjector& feet);
-  void lay_in_pole(const TopoDS_Edge& edge, int loop, int index);
-  LaidCurve laid_curve(const TopoDS_Edge& edge, const SurfaceProjector& feet) const;
-  TopoDS_Edge laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift, int from,
-                        int to);
+  bool add_coincident_arcs();
+  void add_coincident_arc(const EdgePiece& piece, double reach, const SurfaceProjector& feet);
+  void split_pole_at(const TopoDS_Edge& edge, int loop, int index);
+  CoincidentCurve coincident_curve(const TopoDS_Edge& edge, const SurfaceProjector& feet) const;
+  TopoDS_Edge coincident_edge(const EdgePiece& piece, const CoincidentCurve& of, const Vec2& shift,
+                              int from, int to);
   bool lies_in_face(const EdgePiece& piece, double reach, const SurfaceProjector& feet) const;
   std::vector<int> imprints_among(const std::vector<int>& arcs, OpenCuts open) const;
 
@@ -243,12 +243,12 @@ class FaceSplitter {
   std::vector<Vertex> vertices_;                        // the corners of the wires first
   std::vector<std::pair<TopoDS_Vertex, int>> aliases_;  // of the other sides of cuts, and ours
   std::vector<LiftedCut> lifted_cuts_;
-  struct Laid {
+  struct Coincident {
     TopoDS_Edge edge;
     double reach = 0;
     std::vector<Interval> along;
   };
-  std::vector<Laid> laid_;
+  std::vector<Coincident> coincident_;
   std::vector<ChartArc> arcs_;
   std::vector<Origin> origins_;  // one for each arc
   std::vector<std::string> notes_;

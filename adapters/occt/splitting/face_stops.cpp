@@ -95,7 +95,7 @@ void FaceSplitter::meet(int cut, const CutStop& stop) {
 
 // Two cuts that lead from one vertex to another within the first one's uncertainty cross there only
 // because they reach beyond the border at which they should end.
-void FaceSplitter::unite_blurred() {
+void FaceSplitter::unite_uncertain() {
   std::vector<std::pair<int, int>> known;
   for (const LiftedCut& lifted_cut : lifted_cuts_)
     for (std::size_t i = 0; i + 1 < lifted_cut.stops.size(); ++i) {
@@ -135,7 +135,7 @@ void FaceSplitter::unite_loose_ends() {
 }
 
 void FaceSplitter::tidy() {
-  unite_blurred();
+  unite_uncertain();
   unite_loose_ends();
   for (LiftedCut& lifted_cut : lifted_cuts_) tidy_stops(lifted_cut, 8 * reach(lifted_cut));
 }

@@ -19,7 +19,7 @@ constexpr int kKrawczykSteps = 6;
 constexpr double kRoundingOfSpread = 1e-12;  // part of it, generously
 constexpr double kRoundingOfPlace = 1e-14;   // part of a patch: many roundings of a parameter
 
-bool apart(const ValueRange& a, double low, double high, double tolerance) {
+bool are_disjoint(const ValueRange& a, double low, double high, double tolerance) {
   return a.low > high + tolerance || low > a.high + tolerance;
 }
 
@@ -158,9 +158,9 @@ void CurveSurfaceSearch::halve(const Pair& pair, bool curve) {
 
 bool CurveSurfaceSearch::separated(const CurveCell& c, const Cell& s) const {
   for (int k = 0; k < 3; ++k)
-    if (apart({c.low[k], c.high[k]}, s.low[k], s.high[k], tolerance_)) return true;
+    if (are_disjoint({c.low[k], c.high[k]}, s.low[k], s.high[k], tolerance_)) return true;
   if (s.plane.normal == Vec3{}) return false;
-  return apart(range_along(c, 3, s.plane.normal), s.plane.low, s.plane.high, tolerance_);
+  return are_disjoint(range_along(c, 3, s.plane.normal), s.plane.low, s.plane.high, tolerance_);
 }
 
 bool CurveSurfaceSearch::within_slab(const CurveCell& c, const Cell& s) const {

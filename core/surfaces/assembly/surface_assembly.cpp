@@ -158,16 +158,19 @@ class Assembly {
   void add_overlaps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
     const auto& reasons = found_.certificate.reasons;
     if (std::ranges::find(reasons, WorkLimit::kCancelled) != reasons.end()) return;
-    std::vector<CriticalPair> thin(found_.critical);
-    std::erase_if(thin, [](const CriticalPair& pair) { return !pair.thin; });
+    std::vector<CriticalPair> within_tolerance(found_.critical);
+    std::erase_if(within_tolerance,
+                  [](const CriticalPair& pair) { return !pair.within_tolerance; });
     const double tolerance = options_.tolerances.point;
     const auto is_large = [&](const CriticalCluster& c) {
       const double width = diagonal(c.box);
       return width > kPointCluster * size_ ||
-             (width > kRegionWidth * std::sqrt(tolerance * size_) && meets_border(c, thin));
+             (width > kRegionWidth * std::sqrt(tolerance * size_) &&
+              meets_border(c, within_tolerance));
     };
-    if (std::ranges::none_of(clusters_of(thin), is_large)) return;
-    const Overlaps overlaps = find_overlaps(cells_a, cells_b, thin, tolerance, size_, limit_);
+    if (std::ranges::none_of(clusters_of(within_tolerance), is_large)) return;
+    const Overlaps overlaps =
+        find_overlaps(cells_a, cells_b, within_tolerance, tolerance, size_, limit_);
     if (overlaps.stopped != nullptr) stop_at_limit(overlaps.stopped);
     for (const OverlapRegion& region : overlaps.regions) add_overlap(cells_a, cells_b, region);
     for (const SharedBorder& border : overlaps.edges) add_border(cells_a, cells_b, border);
@@ -211,8 +214,9 @@ class Assembly {
   // The critical pairs in a region or along a border, taken out of the search's.
   std::vector<CriticalPair> taken(const Coincidence& coincidence) {
     const auto rest = std::stable_partition(
-        found_.critical.begin(), found_.critical.end(),
-        [&](const CriticalPair& pair) { return !pair.thin || !coincidence.holds(pair); });
+        found_.critical.begin(), found_.critical.end(), [&](const CriticalPair& pair) {
+          return !pair.within_tolerance || !coincidence.holds(pair);
+        });
     const std::vector<CriticalPair> result(rest, found_.critical.end());
     found_.critical.erase(rest, found_.critical.end());
     return result;
@@ -418,12 +422,12 @@ class Assembly {
                 0,
                 diagonal(cluster.box),
                 parameters_of(cells_a, cells_b, found_.critical, cluster)};
-    if (cluster.thin) {  // within tolerance all over, whatever the surfaces do in it
+    if (cluster.within_tolerance) {  // within tolerance all over, whatever the surfaces do in it
       if (!cluster.singular) place.gap_high = kThinGap * options_.tolerances.point;
       place.kind = cluster.singular ? PlaceKind::Cusp : PlaceKind::Tangential;
     }
     // Where the area has a border of its own it is a region already.
-    const bool coincides = cluster.thin && holds_area(cluster, found_.critical);
+    const bool coincides = cluster.within_tolerance && holds_area(cluster, found_.critical);
     if (coincides) {
       place.kind = PlaceKind::Overlap;
       result_.overlaps.push_back({{}, place.gap_high});
@@ -431,7 +435,7 @@ class Assembly {
     result_.places.push_back(place);
     if (coincides)
       weaken(Status::Tolerance, "the surfaces coincide in the listed contacts");
-    else if (!cluster.thin)
+    else if (!cluster.within_tolerance)
       weaken(Status::Stopped, "some regions are unresolved");
     else if (cluster.singular)
       weaken(Status::Tolerance, "the surface is singular, or nearly, in the listed contacts");

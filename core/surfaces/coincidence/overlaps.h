@@ -42,7 +42,8 @@ struct Overlaps {
 
 /// Regions and shared borders of two surfaces.
 ///
-/// coincident   thin critical pairs of the search; only pairs of patches that occur in them are
+/// coincident   critical pairs of the search within tolerance; only pairs of patches that occur in
+/// them are
 ///              looked at, and a shared border counts only where they hold it
 /// tolerance    surfaces closer than this coincide, model units
 /// size         of the surfaces, model units

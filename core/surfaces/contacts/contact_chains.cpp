@@ -54,7 +54,7 @@ class Joiner {
     for (ContactChain& chain : chains) extent.measure(chain);
     const std::size_t clusters_from = chains.size();
     std::erase_if(clusters, [&](const CriticalCluster& cluster) {
-      const double most = cluster.thin ? kPointCluster * size_ : tolerance_;
+      const double most = cluster.within_tolerance ? kPointCluster * size_ : tolerance_;
       const bool point = !cluster.singular && diagonal(cluster.box) <= most;
       if (point) chains.push_back(contact_of(cluster));
       return point;

@@ -133,8 +133,9 @@ class ContactSearch {
       ++result_.certificate.excluded;
       return;
     }
-    const bool thin = a.extent <= tolerance() || over(a, piece);
-    if (thin || a.depth >= kDeepest || out_of_budget()) return keep(a, s, t, piece, thin);
+    const bool within_tolerance = a.extent <= tolerance() || over(a, piece);
+    if (within_tolerance || a.depth >= kDeepest || out_of_budget())
+      return keep(a, s, t, piece, within_tolerance);
     const int child = tree_a_.split(index);
     narrow_down(child, piece, s, t);
     narrow_down(child + 1, piece, s, t);
@@ -159,7 +160,7 @@ class ContactSearch {
     return separated(a, b, tree_a_.shape().plane_size(), tree_b_.shape().plane_size());
   }
 
-  bool apart(const Cell& a, const Cell& b) const {
+  bool are_disjoint(const Cell& a, const Cell& b) const {
     return separated(a, b, tree_a_.shape().plane_size(), tree_b_.shape().plane_size(), tolerance());
   }
 
@@ -169,7 +170,7 @@ class ContactSearch {
   // tolerance of it all over, or not known to be.
   Nearness nearness(const Cell& a, CellTree& piece, int index) const {
     const Cell b = piece[index];
-    if (apart(a, b)) return Nearness::Misses;
+    if (are_disjoint(a, b)) return Nearness::Misses;
     if (are_within(a, b, tree_a_.shape().plane_size(), tree_b_.shape().plane_size(), tolerance()))
       return Nearness::Within;
     if (b.extent <= a.extent || b.depth >= kDeepestPiece) return Nearness::Meets;
@@ -198,7 +199,7 @@ class ContactSearch {
     const Cell a = tree_a_[index];
     const Cell piece = chart.piece[0];
     const GraphChart& graph = chart.graph;
-    if (a.part == PartSide::Outside || apart(a, piece) || beside(a, piece, graph) ||
+    if (a.part == PartSide::Outside || are_disjoint(a, piece) || beside(a, piece, graph) ||
         (task_.band_b != nullptr && task_.band_b->misses(a, tree_a_.shape()))) {
       ++result_.certificate.excluded;
       return;
@@ -323,7 +324,7 @@ class ContactSearch {
     Cell b = cells[0];
     b.u = s;
     b.v = t;
-    if (apart(a, b)) {
+    if (are_disjoint(a, b)) {
       ++result_.certificate.excluded;
       return true;
     }
@@ -406,9 +407,9 @@ class ContactSearch {
   }
 
   // beside    a point of a cell whose only contacts are those of the line that passes beside it
-  void keep(const Cell& a, const Interval& s, const Interval& t, const Cell& b, bool thin,
-            const Point4* beside = nullptr) {
-    CriticalPair critical{task_.patch_a, task_.patch_b, {a.u, a.v, s, t}, {}, {}, thin};
+  void keep(const Cell& a, const Interval& s, const Interval& t, const Cell& b,
+            bool within_tolerance, const Point4* beside = nullptr) {
+    CriticalPair critical{task_.patch_a, task_.patch_b, {a.u, a.v, s, t}, {}, {}, within_tolerance};
     if (beside != nullptr) critical.beside = *beside;
     for (int k = 0; k < 3; ++k) {
       const double low = std::max(a.low[k], b.low[k]), high = std::min(a.high[k], b.high[k]);

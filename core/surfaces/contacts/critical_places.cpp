@@ -68,7 +68,7 @@ std::vector<CriticalCluster> clusters_of(const std::vector<CriticalPair>& pairs)
     CriticalCluster& cluster = clusters[found->second];
     cluster.pairs.push_back(static_cast<int>(i));
     cluster.box = joined(cluster.box, box_of(pairs[i]));
-    cluster.thin = cluster.thin && pairs[i].thin;
+    cluster.within_tolerance = cluster.within_tolerance && pairs[i].within_tolerance;
     cluster.singular = cluster.singular || pairs[i].singular;
   }
   return clusters;
@@ -85,7 +85,7 @@ void join_singular(std::vector<CriticalCluster>& clusters, double tolerance) {
         if (!meet(widened(to.box, diagonal(to.box) + tolerance), from.box)) continue;
         to.pairs.insert(to.pairs.end(), from.pairs.begin(), from.pairs.end());
         to.box = joined(to.box, from.box);
-        to.thin = to.thin && from.thin;
+        to.within_tolerance = to.within_tolerance && from.within_tolerance;
         from.pairs.clear();
         grown = true;
       }

@@ -18,8 +18,9 @@ namespace blossom {
 struct CriticalCluster {
   std::vector<int> pairs;  ///< indices into the search's critical pairs
   Box box;                 ///< relative to the origin
-  bool thin = true;        ///< all pairs ended because the surfaces are within tolerance there
-  bool singular = false;   ///< some pair is singular
+  bool within_tolerance =
+      true;               ///< all pairs ended because the surfaces are within tolerance there
+  bool singular = false;  ///< some pair is singular
 };
 
 /// The clusters of all critical pairs. Pairs whose boxes meet are in one cluster; of very many

@@ -107,10 +107,10 @@ class PairBorder {
     std::vector<BoxFace> met;
     for (int axis = 0; axis < 4; ++axis)
       for (const bool high : {false, true})
-        if (!apart({axis, high})) met.push_back({axis, high});
+        if (!are_disjoint({axis, high})) met.push_back({axis, high});
     if (met.empty()) return true;
     model_.emplace(tree_a_, a_, tree_b_, b_);
-    if (model_->apart(0)) return true;
+    if (model_->are_disjoint(0)) return true;
     arc_.emplace(*model_, along_);
     std::vector<Point4> points;
     // What fails most comes first: faces that may hold more than one root.
@@ -178,7 +178,7 @@ class PairBorder {
   }
 
   // True if the border curve of its cell proves that the face holds no root.
-  bool apart(const BoxFace& face) const {
+  bool are_disjoint(const BoxFace& face) const {
     return face.axis < 2 ? border_apart(border_of(a_, tree_a_.shape(), face.axis == 0, face.high),
                                         a_.margin, b_)
                          : border_apart(border_of(b_, tree_b_.shape(), face.axis == 2, face.high),

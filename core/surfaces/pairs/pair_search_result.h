@@ -53,7 +53,7 @@ struct CriticalPair {
   int patch_b = 0;
   Box4 box;
   Vec3 low, high;                  ///< the common part of their boxes, relative to the origin
-  bool thin = false;               ///< the surfaces stay within tolerance of each other in it
+  bool within_tolerance = false;   ///< the surfaces stay within tolerance of each other in it
   std::optional<Point4> beside{};  ///< near a contact outside of it there may be zeros, else none
   bool singular = false;  ///< of a surface with itself: cells that touch where it is singular
   bool shared = false;    ///< the patches are proven to be parts of one surface

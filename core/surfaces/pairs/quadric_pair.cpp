@@ -104,7 +104,7 @@ bool QuadricPair::cover_each_other(const Cell& a, const Cell& b) const {
   return holds_middle(tree_b_, b, tree_a_, a) || holds_middle(tree_a_, a, tree_b_, b);
 }
 
-bool QuadricPair::apart(const Cell& a, const Cell& b) const {
+bool QuadricPair::are_disjoint(const Cell& a, const Cell& b) const {
   return (band_b_ != nullptr && band_b_->misses(a, tree_a_.shape())) ||
          (band_a_ != nullptr && band_a_->misses(b, tree_b_.shape()));
 }

@@ -47,7 +47,7 @@ class QuadricPair {
   bool cover_each_other(const Cell& a, const Cell& b) const;
 
   /// True if the equation of one patch proves that the other one's cell does not come close to it.
-  bool apart(const Cell& a, const Cell& b) const;
+  bool are_disjoint(const Cell& a, const Cell& b) const;
 
  private:
   const CellTree &tree_a_, &tree_b_;

@@ -204,7 +204,7 @@ class Search {
       if (separated_across(a, b, points_a, points_b)) return {Verdict::Apart};
       return {Verdict::Regular, along};
     }
-    if (place.quadrics.apart(a, b)) return {Verdict::Apart};
+    if (place.quadrics.are_disjoint(a, b)) return {Verdict::Apart};
     if (itself() && beside_each_other(place, a, b)) return {Verdict::Apart};
     if (known_.compare_with(std::min(a.extent, b.extent)) &&
         known_.hold_common({a.low, a.high}, {b.low, b.high}))
@@ -212,7 +212,7 @@ class Search {
     if (slow) return {Verdict::Regular, along, {}, {}, true};
     if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b))) {
       const PairModel model(*place.tree_a, a, *place.tree_b, b);
-      return {model.apart(options_.tolerances.point) ? Verdict::Apart : Verdict::Parallel};
+      return {model.are_disjoint(options_.tolerances.point) ? Verdict::Apart : Verdict::Parallel};
     }
     if (!itself() && !place.shared.is_known() && place.quadrics.touch_all_over(a, b))
       return {place.quadrics.cover_each_other(a, b) ? Verdict::Over : Verdict::Beside};
@@ -307,13 +307,13 @@ class Search {
       return halve(pair);
     }
     pair.along = finding.along;
-    const bool thin =
+    const bool within_tolerance =
         finding.verdict == Verdict::Thin ||
         (finding.verdict == Verdict::Regular &&
          is_thin(a, b, place.tree_a->shape().plane_size(), place.tree_b->shape().plane_size()));
     // Where one cell cannot be halved any more, halves of smaller ones would tell nothing new.
-    if (thin || (is_halved_first(a, b) ? a : b).depth >= kDeepest)
-      keep(pair, thin);
+    if (within_tolerance || (is_halved_first(a, b) ? a : b).depth >= kDeepest)
+      keep(pair, within_tolerance);
     else
       halve(pair);
   }
@@ -444,17 +444,17 @@ class Search {
     halvings_.clear();
   }
 
-  void keep(const Pair& pair, bool thin) {
+  void keep(const Pair& pair, bool within_tolerance) {
     const PatchPair& place = place_of(pair);
     const Cell &a = cell_a(pair), &b = cell_b(pair);
-    CriticalPair critical{place.patch_a, place.patch_b, box_of(a, b), {}, {}, thin};
+    CriticalPair critical{place.patch_a, place.patch_b, box_of(a, b), {}, {}, within_tolerance};
     for (int k = 0; k < 3; ++k) {
       const double low = std::max(a.low[k], b.low[k]), high = std::min(a.high[k], b.high[k]);
       if (low > high + reach()) return;  // apart, though never examined
       critical.low[k] = std::min(low, high);
       critical.high[k] = std::max(low, high);
     }
-    critical.shared = thin && place.quadrics.is_one();
+    critical.shared = within_tolerance && place.quadrics.is_one();
     ++result_.certificate.critical;
     result_.critical.push_back(critical);
   }

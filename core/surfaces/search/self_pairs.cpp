@@ -91,7 +91,7 @@ class OpenBoxes {
   static std::vector<Box> boxes_of(const std::vector<CriticalPair>& pairs) {
     std::vector<Box> boxes;
     for (const CriticalPair& pair : pairs)
-      if (!pair.thin) boxes.push_back({pair.low, pair.high});
+      if (!pair.within_tolerance) boxes.push_back({pair.low, pair.high});
     return boxes;
   }
 
@@ -380,19 +380,20 @@ class SelfPairSearch {
   }
 
   // No proof: listed both ways round, cell by cell.
-  void keep(const PartPair& pair, bool thin) {
+  void keep(const PartPair& pair, bool within_tolerance) {
     const auto& [a, b] = pair;
     if (!is_cell(a) || !is_cell(b)) {
       if (!(a == b) && !touches(a, b)) return apart_.push_back(pair);
       const bool of_a = !is_cell(a);
       for (const Part& half : halves(of_a ? a : b))
-        keep(of_a ? PartPair{half, a == b ? half : b} : PartPair{a, half}, thin);
-      if (a == b) keep({halves(a)[0], halves(a)[1]}, thin);
+        keep(of_a ? PartPair{half, a == b ? half : b} : PartPair{a, half}, within_tolerance);
+      if (a == b) keep({halves(a)[0], halves(a)[1]}, within_tolerance);
       return;
     }
     const Cell &x = cell(a), &y = cell(b);
     const Box both = common({x.low, x.high}, {y.low, y.high});
-    CriticalPair critical{block(a).patch, block(b).patch, box_of(x, y), both.low, both.high, thin};
+    CriticalPair critical{block(a).patch, block(b).patch, box_of(x, y),
+                          both.low,       both.high,      within_tolerance};
     critical.singular = true;
     result_.singular.push_back(critical);
     if (a == b) return;

@@ -246,7 +246,7 @@ Json solid_report(const SolidAnswer& answer) {
           {"left_out", answer.made.left_out},
           {"obstacles", causes(answer.made)},
           {"findings", findings_json(answer.made.findings)},
-          {"thin", answer.made.thin},
+          {"thin", answer.made.merged},
           {"tolerances", answer.made.tolerances},
           {"invalid", answer.invalid},
           {"idle", answer.idle},

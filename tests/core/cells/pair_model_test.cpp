@@ -211,7 +211,7 @@ TEST_P(PairModels, AreNotApartWhereTheyMeet) {
     const auto root = place_in(PairPart{});
     CellTree tree(moved(b, model.gap(root).value), row.rational, {}, CellForm::Bezier, kCut);
     const int there = cell_at(tree, at(tree_b[j].u, 0.5), at(tree_b[j].v, 0.5), tree_b[j].depth);
-    EXPECT_FALSE(PairModel(tree_a, tree_a[i], tree, tree[there]).apart(0));
+    EXPECT_FALSE(PairModel(tree_a, tree_a[i], tree, tree[there]).are_disjoint(0));
   }
 }
 
@@ -239,7 +239,7 @@ TEST(PairModel, TellsApartWhatBendsAlike) {
     for (const int j : cells_b) {
       if (separated(tree_a[i], tree_b[j], points, points)) continue;
       ++open;
-      told += PairModel(tree_a, tree_a[i], tree_b, tree_b[j]).apart(1e-7);
+      told += PairModel(tree_a, tree_a[i], tree_b, tree_b[j]).are_disjoint(1e-7);
     }
   EXPECT_GT(open, 50);
   EXPECT_GT(told, open / 2);

@@ -126,12 +126,12 @@ double EdgeSplits::reach(const Record& of, const Split& split, const TopoDS_Face
   return split.face.IsSame(face) ? own : kFaceDisagreement * inverse_sine * own;
 }
 
-void EdgeSplits::blur(const TopoDS_Edge& edge, const Interval& at) {
-  record(edge).blurred.push_back(at);
+void EdgeSplits::add_uncertain(const TopoDS_Edge& edge, const Interval& at) {
+  record(edge).uncertain.push_back(at);
 }
 
-// The split that a parameter in a blurred interval stands for; -1 if there is none.
-int EdgeSplits::blurred_split(const Record& of, double parameter) const {
+// The split that a parameter in a uncertain interval stands for; -1 if there is none.
+int EdgeSplits::split_in_uncertain(const Record& of, double parameter) const {
   int best = -1;
   const auto is_better = [&](const Split& split) {
     if (best < 0) return true;
@@ -139,7 +139,7 @@ int EdgeSplits::blurred_split(const Record& of, double parameter) const {
     if (split.face.IsNull() != other.face.IsNull()) return split.face.IsNull() == Standard_True;
     return std::abs(split.parameter - parameter) < std::abs(other.parameter - parameter);
   };
-  for (const Interval& interval : of.blurred) {
+  for (const Interval& interval : of.uncertain) {
     if (parameter < interval.from || parameter > interval.to) continue;
     for (std::size_t i = 0; i < of.splits.size(); ++i) {
       const Split& split = of.splits[i];
@@ -158,7 +158,7 @@ int EdgeSplits::add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face
   const double range = of.splits[kLast].parameter - of.splits[kFirst].parameter;
   const gp_Pnt point =
       pole ? BRep_Tool::Pnt(of.splits[kFirst].vertex) : BRepAdaptor_Curve(of.edge).Value(parameter);
-  if (const int known = blurred_split(of, parameter); known >= 0) {
+  if (const int known = split_in_uncertain(of, parameter); known >= 0) {
     const TopoDS_Vertex& vertex = of.splits[static_cast<std::size_t>(known)].vertex;
     widened_.emplace_back(vertex, kSampledMargin * point.Distance(BRep_Tool::Pnt(vertex)));
     return known;

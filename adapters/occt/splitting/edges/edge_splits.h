@@ -61,7 +61,7 @@ class EdgeSplits {
   /// Says that all along an interval of its parameters the edge is in one place, as where it
   /// touches a face: whatever is asked for there after this is the nearest split that is there
   /// already, one that edges meet in before others. Its vertex is widened to cover it.
-  void blur(const TopoDS_Edge& edge, const Interval& at);
+  void add_uncertain(const TopoDS_Edge& edge, const Interval& at);
 
   /// Whether anybody asked for a split inside of the edge.
   bool is_split(const TopoDS_Edge& edge) const;
@@ -102,9 +102,9 @@ class EdgeSplits {
     TopoDS_Edge edge;  ///< forward
     std::vector<Split> splits;
     std::vector<EdgePiece> pieces;
-    std::vector<Interval> blurred{};
+    std::vector<Interval> uncertain{};
   };
-  int blurred_split(const Record& of, double parameter) const;
+  int split_in_uncertain(const Record& of, double parameter) const;
   Record& record(const TopoDS_Edge& edge);
   const Record* find(const TopoDS_Edge& edge) const;
   double reach(const Record& of, const Split& split, const TopoDS_Face& face,

@@ -182,7 +182,7 @@ std::string summary(const SolidTrim& options, const TimedSolids& timed) {
   text << told_volumes(options, timed.made);
   if (timed.watertight) text << summary_of(*timed.watertight);
   for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";
-  for (const std::string& thin : timed.made.thin) text << "  " << thin << "\n";
+  for (const std::string& text_of : timed.made.merged) text << "  " << text_of << "\n";
   for (const std::string& invalid : timed.invalid) text << "  " << invalid << "\n";
   for (const std::string& idle : timed.idle) text << "  " << idle << "\n";
   for (const std::string& cause : reports::causes(timed.made)) text << "  " << cause << "\n";

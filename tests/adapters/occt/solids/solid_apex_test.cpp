@@ -99,11 +99,11 @@ TEST(SolidApex, CapsThatVanishAreTold) {
       trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, 1 - kHeight), gp_Pnt(2, 2, 2)).Shape());
   const SolidTrimResult made = trim_solids(ball, {above}, SolidOperation::Cut);
   ASSERT_TRUE(made.obstacles.empty()) << made.obstacles.front();
-  ASSERT_EQ(made.thin.size(), 1u);
-  EXPECT_EQ(made.thin.front().rfind("a piece of face 1 of the part and a piece of face ", 0), 0u)
-      << made.thin.front();
+  ASSERT_EQ(made.merged.size(), 1u);
+  EXPECT_EQ(made.merged.front().rfind("a piece of face 1 of the part and a piece of face ", 0), 0u)
+      << made.merged.front();
   EXPECT_NE(made.status, Status::Complete);
-  EXPECT_TRUE(trim_solids(ball, {box_beyond(0.5)}, SolidOperation::Cut).thin.empty());
+  EXPECT_TRUE(trim_solids(ball, {box_beyond(0.5)}, SolidOperation::Cut).merged.empty());
 }
 
 // Near the poles arcs get so short that their ends count as one: curves end up to 1e-6 away. The

@@ -147,8 +147,8 @@ TEST(TrimSolidsWithEdgesThatTouch, TellWhatIsThinnerThanTheTolerance) {
   const SolidTrimResult result =
       trim_solids(trim_tool(slit->a()), {trim_tool(slit->b())}, SolidOperation::Cut);
   EXPECT_EQ(result.status, Status::Tolerance);
-  ASSERT_EQ(result.thin.size(), 1u);
-  EXPECT_NE(result.thin.front().find("of the tool: cuts that keep within"), std::string::npos);
+  ASSERT_EQ(result.merged.size(), 1u);
+  EXPECT_NE(result.merged.front().find("of the tool: cuts that keep within"), std::string::npos);
 }
 
 // The lower half of a cone of height 4 r within a box, a side of which its rim touches. On patches

@@ -26,7 +26,7 @@ TEST(SolidDivisions, AreAtMostTwoReadingsOfThreeLooks) {
     int readings = 0;
     while (const std::optional<SolidPieces> pieces = divisions.next()) {
       EXPECT_TRUE(pieces->obstacles.empty()) << readings;
-      EXPECT_EQ(pieces->thin.empty(), readings == 0 || readings == 2) << readings;
+      EXPECT_EQ(pieces->merged.empty(), readings == 0 || readings == 2) << readings;
       ++readings;
     }
     EXPECT_LE(readings, 6);

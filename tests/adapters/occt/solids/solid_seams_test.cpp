@@ -83,7 +83,7 @@ TEST_F(SolidSeamsOfModels, MayBeOffByTheirTolerances) {
     const SolidTrimResult made = cut_near_loose_edges(model, y);
     ASSERT_TRUE(made.obstacles.empty()) << y << ' ' << made.obstacles.front();
     EXPECT_EQ(made.status, Status::Tolerance);
-    EXPECT_FALSE(made.thin.empty());
+    EXPECT_FALSE(made.merged.empty());
     ASSERT_EQ(made.solids.size(), 2u);
     const SolidVolumes& volumes = made.volumes.back();
     EXPECT_LE(volumes.cut_error(), 1e-6);

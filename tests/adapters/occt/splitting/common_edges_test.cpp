@@ -36,7 +36,7 @@ bool is_where_cubes_touch(const TopoDS_Edge& edge) {
 }
 
 // How often an edge of a shape where the cubes touch lies in a face of another one.
-std::size_t laid_where_cubes_touch(const TopoDS_Shape& shape, const TopoDS_Shape& other) {
+std::size_t coincident_where_cubes_touch(const TopoDS_Shape& shape, const TopoDS_Shape& other) {
   const std::vector<TopoDS_Face> a = faces_of(shape), b = faces_of(other);
   const ShapeIntersection found = intersect(a, b);
   EXPECT_TRUE(std::ranges::any_of(
@@ -53,13 +53,13 @@ std::size_t laid_where_cubes_touch(const TopoDS_Shape& shape, const TopoDS_Shape
 // The edge is equal to that of one cube, and lies in two faces of the other, too.
 TEST(CommonEdges, WithAnEqualLieInAllFacesThatTouchIt) {
   const TopoDS_Shape bar = BRepPrimAPI_MakeBox(gp_Pnt(-1, 0, 0), gp_Pnt(1, 1, 1)).Shape();
-  EXPECT_EQ(laid_where_cubes_touch(bar, touching_cubes()), 4u);
+  EXPECT_EQ(coincident_where_cubes_touch(bar, touching_cubes()), 4u);
 }
 
 // Each in the two faces that have its equal: what touches itself stays as it is.
 TEST(CommonEdges, OfAShapeLieInTheirCopiesAlone) {
   const TopoDS_Shape cubes = touching_cubes();
-  EXPECT_EQ(laid_where_cubes_touch(cubes, BRepBuilderAPI_Copy(cubes).Shape()), 4u);
+  EXPECT_EQ(coincident_where_cubes_touch(cubes, BRepBuilderAPI_Copy(cubes).Shape()), 4u);
 }
 
 }  // namespace

@@ -434,10 +434,10 @@ TEST(FaceSplitter, LaysEdgesInAFaceLongerThanAPeriod) {
     const TopoDS_Wire laid =
         closed_wire(surface, {{u, v}, {u + 0.4, v}, {u + 0.4, v + 1}, {u, v + 1}});
     for (TopExp_Explorer it(laid, TopAbs_EDGE); it.More(); it.Next())
-      splitter.lay(TopoDS::Edge(it.Current()), 1e-6, {});
+      splitter.add_coincident(TopoDS::Edge(it.Current()), 1e-6, {});
     const FaceSplit split = splitter.split();
     EXPECT_EQ(split.pieces.size(), 2u);
-    EXPECT_EQ(split.laid.size(), 4u);
+    EXPECT_EQ(split.coincident.size(), 4u);
   }
 }
 

@@ -23,7 +23,7 @@ CellTree tree_of(const RationalBezierPatch& patch) {
   return {patch, true, {0.1, 0.2, 0.3}, CellForm::Auto, 0.4865};
 }
 
-bool apart(const RationalBezierPatch& a, const RationalBezierPatch& b) {
+bool are_disjoint(const RationalBezierPatch& a, const RationalBezierPatch& b) {
   const CellTree tree_a = tree_of(a), tree_b = tree_of(b);
   const auto band = QuadricBand::of(tree_b, kTolerance);
   return band && band->misses(tree_a[0], tree_a.shape());
@@ -31,18 +31,18 @@ bool apart(const RationalBezierPatch& a, const RationalBezierPatch& b) {
 
 TEST(QuadricBand, KeepsSpheresAndCylindersOfOneAxisApartAtOnce) {
   for (const double gap : {1e-1, 1e-4, 1e-6}) {
-    EXPECT_TRUE(apart(sphere_octant({}, 2 - gap), sphere_octant({}, 2)));
-    EXPECT_TRUE(apart(sphere_octant({}, 2 + gap), sphere_octant({}, 2)));
-    EXPECT_TRUE(apart(cylinder_quarter(2 + gap, 20), cylinder_quarter(2, 10)));
+    EXPECT_TRUE(are_disjoint(sphere_octant({}, 2 - gap), sphere_octant({}, 2)));
+    EXPECT_TRUE(are_disjoint(sphere_octant({}, 2 + gap), sphere_octant({}, 2)));
+    EXPECT_TRUE(are_disjoint(cylinder_quarter(2 + gap, 20), cylinder_quarter(2, 10)));
   }
 }
 
 TEST(QuadricBand, HoldsWhatIsWithinTolerance) {
   for (const double gap : {0.0, 1e-12, 0.99e-7, -0.99e-7}) {
-    EXPECT_FALSE(apart(sphere_octant({}, 2 - gap), sphere_octant({}, 2)));
-    EXPECT_FALSE(apart(cylinder_quarter(2 + gap, 20), cylinder_quarter(2, 10)));
+    EXPECT_FALSE(are_disjoint(sphere_octant({}, 2 - gap), sphere_octant({}, 2)));
+    EXPECT_FALSE(are_disjoint(cylinder_quarter(2 + gap, 20), cylinder_quarter(2, 10)));
   }
-  EXPECT_FALSE(apart(sphere_octant({0.3, -0.3, 0}, 2), sphere_octant({}, 2)));  // they cross
+  EXPECT_FALSE(are_disjoint(sphere_octant({0.3, -0.3, 0}, 2), sphere_octant({}, 2)));  // they cross
 }
 
 TEST(QuadricBand, TellsPatchesOfOneQuadric) {
