@@ -40,6 +40,7 @@ struct DrawnPart {
 
 struct DrawnPlane {
   std::string name;
+  std::string layer;     ///< what the user calls it, else "plane 1" and so on
   double elevation = 0;  ///< along the normal, model units
   std::vector<DrawnPart> parts{};
 };

@@ -74,28 +74,49 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-// What layers call each part, in all planes the same and unlike all others; words differ by more
-// than the case of letters. Behind a plane's name there is room for them and for kInner.
-std::map<std::string, std::string> part_words(const std::vector<DrawnPlane>& planes,
-                                              std::size_t room) {
-  std::map<std::string, std::string> words;  // by the parts' names
+// What layers call things, by their names: each unlike all others by more than the case of letters,
+// also with kInner behind it, and of `room` letters at most.
+std::map<std::string, std::string> layer_words(const std::vector<std::string>& names,
+                                               std::size_t room) {
+  std::map<std::string, std::string> words;
   std::set<std::string> known;
-  for (const DrawnPlane& plane : planes)
-    for (const DrawnPart& part : plane.parts) {
-      if (words.contains(part.name)) continue;
-      const std::string letters = layer_letters(part.name);
-      std::string word = letters.substr(0, room);
-      for (int i = 2; known.contains(upper_case(word)); ++i) {
-        const std::string ending = "_" + std::to_string(i);
-        word = letters.substr(0, room - ending.size()) + ending;
-      }
-      known.insert({upper_case(word), upper_case(word + kInner)});
-      words[part.name] = word;
+  for (const std::string& name : names) {
+    if (words.contains(name)) continue;
+    const std::string letters = layer_letters(name);
+    std::string word = letters.substr(0, room);
+    for (int i = 2; known.contains(upper_case(word)); ++i) {
+      const std::string ending = "_" + std::to_string(i);
+      word = letters.substr(0, room - ending.size()) + ending;
     }
+    known.insert({upper_case(word), upper_case(word + kInner)});
+    words[name] = word;
+  }
   return words;
 }
 
-std::string plane_word(std::size_t number) { return "PLANE_" + std::to_string(number); }
+// Layers are "DECK-Shaft": what planes are called, in capitals, and where there are several parts
+// the parts, in all planes alike.
+struct LayerWords {
+  explicit LayerWords(const std::vector<DrawnPlane>& planes) {
+    std::vector<std::string> of_planes, of_parts;
+    for (const DrawnPlane& plane : planes) {
+      of_planes.push_back(upper_case(plane.layer));
+      for (const DrawnPart& part : plane.parts) of_parts.push_back(part.name);
+    }
+    const std::size_t room = kLongestName - 1 - std::string(kInner).size();
+    plane_words = layer_words(of_planes, room / 2);
+    std::size_t longest = 0;
+    for (const auto& [name, word] : plane_words) longest = std::max(longest, word.size());
+    part_words = layer_words(of_parts, room - longest);
+  }
+
+  std::string of(const DrawnPlane& plane, const DrawnPart& part) const {
+    const std::string& word = plane_words.at(upper_case(plane.layer));
+    return part_words.size() > 1 ? word + "-" + part_words.at(part.name) : word;
+  }
+
+  std::map<std::string, std::string> plane_words, part_words;
+};
 
 // Those of a part; what does not bound it, a plotter or a saw must not follow.
 struct PartLayers {
@@ -108,17 +129,15 @@ bool has_inner_wires(const DrawnPart& part) {
 
 // One for each part of each plane, and one for its inner wires if it has any.
 std::vector<std::vector<PartLayers>> layers_of(const std::vector<DrawnPlane>& planes) {
-  const std::size_t taken = plane_word(planes.size()).size() + 1 + std::string(kInner).size();
-  const std::map<std::string, std::string> words = part_words(planes, kLongestName - taken);
+  const LayerWords words(planes);
   std::map<std::string, std::size_t> order;  // of the parts' colours
   std::vector<std::vector<PartLayers>> layers;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
+  for (const DrawnPlane& plane : planes) {
     std::vector<PartLayers>& own = layers.emplace_back();
-    for (const DrawnPart& part : planes[i].parts) {
+    for (const DrawnPart& part : plane.parts) {
       const std::size_t place = order.emplace(part.name, order.size()).first->second;
       const int colour = kColourNumbers[place % kColourNumbers.size()];
-      const std::string outline =
-          plane_word(i + 1) + (words.size() > 1 ? "-" + words.at(part.name) : "");
+      const std::string outline = words.of(plane, part);
       const std::string inner = has_inner_wires(part) ? outline + kInner : "";
       own.push_back({{outline, colour}, {inner, colour}});
     }

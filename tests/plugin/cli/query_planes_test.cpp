@@ -225,6 +225,23 @@ TEST_F(QueryPlanes, DrawsLinesCirclesAndArcsAsSuchInDxf) {
     }
 }
 
+TEST_F(QueryPlanes, CallsLayersLikePlanesThatHaveNames) {
+  testing::write_text(folder_ / "planes.txt",
+                      "0,0,1,0,0,1 deck, the lower one\n0,0,2,0,0,1 mid ship\n"
+                      "0,0,3,0,0,1 mid-ship and much more of it\n0,0,4,0,0,1\n");
+  const std::string out = folder_ / "named.dxf";
+  ASSERT_EQ(run({"--planes", folder_ / "planes.txt", "-o", out}).code, 0);
+  const Dxf dxf = parsed(testing::text_of(out));
+  std::set<std::string> layers;
+  for (const std::string& name : dxf.layers)
+    if (name.ends_with("-Plate")) layers.insert(name);
+  EXPECT_EQ(layers, (std::set<std::string>{"DECK__THE_LO-Plate", "MID_SHIP-Plate",
+                                           "MID-SHIP_AND-Plate", "PLANE_4-Plate"}));
+  ASSERT_EQ(run({"--planes", folder_ / "planes.txt", "-o", folder_ / "named.step"}).code, 0);
+  EXPECT_NE(testing::text_of(folder_ / "named.step").find("'deck, the lower one'"),
+            std::string::npos);
+}
+
 TEST_F(QueryPlanes, CallsPartsAlikeInLayersOfAllPlanes) {
   // The first plane meets one of the parts with a long name, the second both, and the step of one.
   const std::string longest = "Getriebegehäuse, obere Hälfte, ";

@@ -121,7 +121,7 @@ void write_outputs(const Input& input, const PlaneCommand& options, const Answer
       picture_files(common, [&] { return picture_of(input, section); });
   stop_if_interrupted();
   if (shapes && any)
-    write_parts(input, {answer.plane, "section", {}}, options.engine, common.output);
+    write_parts(input, {answer.plane, "section", 0.}, options.engine, common.output);
   const Json json = reports::section_report(input, answer.plane, options.engine.tolerance, section,
                                             answer.seconds);
   if (report) write_json(json, common.output);

@@ -130,10 +130,11 @@ NamedPlane plane_in(const std::string& line, const std::string& where) {
   std::string words = line;
   for (char& c : words) c = c == ',' ? ' ' : c;
   std::istringstream text(words);
-  std::string numbers, name, word;
+  std::string numbers, word;
   for (int i = 0; i < 6 && text >> word; ++i) numbers += (i == 0 ? "" : ",") + word;
-  std::getline(text >> std::ws, name);
-  return {parse_plane(numbers, where), name};
+  const bool named = text && !(text >> std::ws).eof();
+  return {parse_plane(numbers, where),
+          named ? line.substr(static_cast<std::size_t>(text.tellg())) : ""};
 }
 
 }  // namespace
