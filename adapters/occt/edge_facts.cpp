@@ -28,6 +28,14 @@ EdgeKind kind_of(const BodyEdges& body, EdgeFacts& facts) {
   }
 }
 
+/// Of an edge that is a point.
+Vec3 place_of(const TopoDS_Edge& edge) {
+  const TopExp_Explorer vertex(edge, TopAbs_VERTEX);
+  if (!vertex.More()) return {};
+  const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current()));
+  return {p.X(), p.Y(), p.Z()};
+}
+
 }  // namespace
 
 const char* to_string(EdgeKind kind) {
@@ -59,7 +67,11 @@ std::vector<EdgeFacts> edge_facts(const TopoDS_Shape& shape) {
           face);
   for (EdgeFacts& facts : all) {
     facts.kind = kind_of(body, facts);
-    if (facts.kind == EdgeKind::Degenerate) continue;
+    BRep_Tool::Range(facts.edge, facts.from, facts.to);
+    if (facts.kind == EdgeKind::Degenerate) {
+      facts.middle = place_of(facts.edge);
+      continue;
+    }
     guarded("measuring edge " + std::to_string(facts.number), [&] {
       const BRepAdaptor_Curve curve(facts.edge);
       facts.length = edge_length(facts.edge);

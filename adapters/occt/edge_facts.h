@@ -35,9 +35,10 @@ struct EdgeFacts {
   TopoDS_Edge edge;
   std::vector<int> faces;  ///< numbers of the faces that use it, once for each use
   EdgeKind kind = EdgeKind::Open;
-  double angle = 0;   ///< the largest between the outward normals along it, radians
-  double length = 0;  ///< model units
-  Vec3 middle;        ///< at the middle parameter
+  double angle = 0;         ///< the largest between the outward normals along it, radians
+  double length = 0;        ///< model units
+  double from = 0, to = 0;  ///< its parameters
+  Vec3 middle;              ///< at the middle parameter; of a point where it is
 };
 
 /// What is known of all edges of a shape, by number - 1.

@@ -10,6 +10,7 @@
 #include "adapters/occt/edge_facts.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/arguments/vectors.h"
+#include "plugin/cli/output/verbosity.h"
 #include "plugin/reports/models/edges.h"
 
 namespace blossom::cli {
@@ -31,6 +32,9 @@ std::string edge_line(const occt::EdgeFacts& edge) {
        << std::setw(10) << to_string(edge.kind) << std::setw(13)
        << number_text(std::abs(angle) > kNoAngle ? rounded(angle) : 0) << std::setw(13)
        << number_text(rounded(edge.length)) << middle.str() << "\n";
+  if (verbosity() == Verbosity::Verbose)
+    line << "        t " << number_text(rounded(edge.from)) << " to "
+         << number_text(rounded(edge.to)) << "\n";
   return line.str();
 }
 

@@ -24,6 +24,7 @@ Json edges_json(const std::vector<occt::EdgeFacts>& edges) {
                     {"kind", to_string(edge.kind)},
                     {"angle", edge.angle},
                     {"length", edge.length},
+                    {"parameters", {edge.from, edge.to}},
                     {"middle", edge.middle.coordinates}});
   return list;
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -221,6 +223,28 @@ TEST(InfoCommand, KeepsTheColumnsOfEdgesApart) {
   int rows = 0;
   for (; std::getline(lines, line); ++rows) EXPECT_TRUE(std::regex_match(line, row)) << line;
   EXPECT_EQ(rows, 15);
+}
+
+TEST(InfoCommand, TellsParametersOfEdgesAndWherePolesAre) {
+  const testing::TestFolder folder;
+  occt::Model model;
+  model.add(BRepPrimAPI_MakeSphere(gp_Pnt(50, 30, 20), 10).Shape(), "ball");
+  occt::write_model(model, folder / "ball.brep");
+  ASSERT_EQ(blossom({"info", folder / "ball.brep", "--edges", "--json", folder / "r.json"}).code,
+            0);
+  const json edges = json::parse(testing::text_of(folder / "r.json"))["edges"];
+  ASSERT_EQ(edges.size(), 3u);
+  std::vector<double> heights;
+  for (const json& edge : edges) {
+    const std::string kind = edge["kind"];
+    const double length = edge["parameters"][1].get<double>() - edge["parameters"][0].get<double>();
+    EXPECT_NEAR(length, (kind == "seam" ? 1 : 2) * std::numbers::pi, 1e-9);
+    if (kind == "point") heights.push_back(edge["middle"][2]);
+  }
+  std::sort(heights.begin(), heights.end());
+  ASSERT_EQ(heights.size(), 2u);
+  EXPECT_NEAR(heights[0], 10, 1e-9);
+  EXPECT_NEAR(heights[1], 30, 1e-9);
 }
 
 TEST(Program, SaysItsVersionAndLicence) {
