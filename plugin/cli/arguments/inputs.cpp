@@ -230,8 +230,9 @@ Input read_usable_input(const std::string& text, Faces need, reports::Repairing 
   return input;
 }
 
-std::string other_parts_text(const Input& input, OtherParts fate) {
-  const std::set<int> named(input.numbers.begin(), input.numbers.end());
+std::string other_parts_text(const Input& input, OtherParts fate, const std::set<int>& tools) {
+  std::set<int> named(input.numbers.begin(), input.numbers.end());
+  named.insert(tools.begin(), tools.end());
   std::size_t others = 0;
   const auto look = [&](const occt::AssemblyNode& node, const auto& self) -> void {
     if (!node.faces.empty() &&

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,7 +68,9 @@ enum class OtherParts { LeftOut, Kept };
 
 /// "5 other parts are written as they were"; empty if there is none. To be asked before the model
 /// is changed.
-std::string other_parts_text(const Input& input, OtherParts fate);
+///
+/// tools   faces of the same file that other inputs name
+std::string other_parts_text(const Input& input, OtherParts fate, const std::set<int>& tools = {});
 
 /// Faces as results name them: "face 12 (Bolt)", the part's name if it has one.
 class FaceLabels {

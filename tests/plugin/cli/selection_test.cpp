@@ -145,6 +145,7 @@ TEST_F(Selectors, NamePartsOfWhichEdgesAreRounded) {
   const Finished all = made({"--edges", "convex", "--radius", "0.2"});
   EXPECT_EQ(all.code, 0) << all.err;
   EXPECT_NE(all.out.find("2 other parts are written as they were"), std::string::npos) << all.out;
+  EXPECT_NE(all.out.find("  volume of all parts "), std::string::npos) << all.out;
   TopTools_IndexedMapOfShape solids;
   TopExp::MapShapes(occt::read_model(out).shape(), TopAbs_SOLID, solids);
   EXPECT_EQ(solids.Extent(), 3);
@@ -184,6 +185,10 @@ TEST_F(Selectors, SayWhatBecomesOfOtherParts) {
   const Finished cut = blossom({"trim", file_ + "#Lid", "--plane", "0,0,9.5,0,0,1", "--solid",
                                 "cut", "-o", folder_ / "cut.step"});
   EXPECT_NE(cut.out.find("2 other parts are left out"), std::string::npos) << cut.out;
+  // A tool of the same file is not left out.
+  const Finished fuse = blossom({"trim", file_ + "#Lid", file_ + "#Shaft", "--solid", "fuse", "-o",
+                                 folder_ / "fuse.step"});
+  EXPECT_NE(fuse.out.find("1 other part is left out"), std::string::npos) << fuse.out << fuse.err;
 }
 
 TEST_F(Selectors, NameSolidsWithAnInside) {

@@ -90,9 +90,15 @@ void write_part(const Input& part, const TimedFillets& timed, const std::string&
   write_model(part.model, file);
 }
 
-std::string comma_separated(const std::vector<int>& numbers) {
+// "1, 3-12", as --edges takes them.
+std::string edges_text(const std::vector<int>& numbers) {
   std::ostringstream text;
-  for (std::size_t i = 0; i < numbers.size(); ++i) text << (i == 0 ? "" : ", ") << numbers[i];
+  for (std::size_t i = 0, last = 0; i < numbers.size(); i = last + 1) {
+    last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    text << (i == 0 ? "" : ", ") << numbers[i];
+    if (last > i) text << (last > i + 1 ? "-" : ", ") << numbers[last];
+  }
   return text.str();
 }
 
@@ -118,15 +124,18 @@ std::string size_text(const FilletCommand& command) {
   return text;
 }
 
-std::string summary(const FilletCommand& command, const Input& part, const TimedFillets& timed) {
+// others   whether the file has parts that are not named: they are in the volume, too
+std::string summary(const FilletCommand& command, const Input& part, const TimedFillets& timed,
+                    bool others) {
   std::ostringstream text;
   const occt::FilletResult& made = timed.made;
   text << part.name << ": " << size_text(command) << ", ";
   text << done_text(command, made) << ", " << seconds_text(timed.seconds) << "\n";
   if (!made.solids.empty()) {
     const double more = reports::volume_of(made) - made.volume_before;
-    text << (made.edges.size() == 1 ? "  edge " : "  edges ") << comma_separated(made.edges)
-         << "\n  volume " << number_text(rounded(made.volume_before + more)) << " mm³, "
+    text << (made.edges.size() == 1 ? "  edge " : "  edges ") << edges_text(made.edges)
+         << (others ? "\n  volume of all parts " : "\n  volume ")
+         << number_text(rounded(made.volume_before + more)) << " mm³, "
          << number_text(rounded(std::abs(more))) << (more < 0 ? " less" : " more")
          << " than before\n";
   }
@@ -220,7 +229,8 @@ int run(FilletCommand command) {
                 << reason << '\n';
   }
   if (!outputs.json.empty()) write_json(reports::fillet_report(part, timed), outputs.json);
-  print_summary(summary(command, part, timed) + (write ? others : ""), outputs.json);
+  print_summary(summary(command, part, timed, !others.empty()) + (write ? others : ""),
+                outputs.json);
   if (!any) return exit_code_unwritten(exit_code(timed.made.status));
   return stated_exit_code(timed.made.refused.empty() ? kExitComplete : kExitTolerance);
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -69,16 +70,16 @@ void make_watertight(TimedSolids& timed, const EngineOptions& engine) {
   timed.watertight = std::move(made.pieces);
 }
 
-// Models of their own, even of one file: the part is changed.
-//
-// others   says what becomes of those that are not named
-occt::Model model_of(const std::string& text, Json& repairs, std::string& others) {
+Input input_of(const std::string& text, Json& repairs) {
   Input input = read_input(text, Faces::Optional);
   repairs.push_back(repairs_json(input));
+  return input;
+}
+
+// What is named. Models of their own, even of one file: the part is changed.
+occt::Model model_of(Input input) {
   std::optional<occt::Model> named = reports::alone_for_solids(input);
-  if (!named) return std::move(input.model);
-  others = other_parts_text(input, OtherParts::LeftOut);
-  return std::move(*named);
+  return std::move(named ? *named : input.model);
 }
 
 using Models = std::vector<occt::Model>;
@@ -264,10 +265,17 @@ int trim_solids(const SolidTrim& options) {
   check_files(options.common, files, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   start_threads(options.engine.threads);
   Json repairs = Json::array();
-  std::string others, of_tool;
-  occt::Model part = model_of(options.part, repairs, others);
+  Input given = input_of(options.part, repairs);
   Models tools;
-  for (const std::string& tool : options.tools) tools.push_back(model_of(tool, repairs, of_tool));
+  std::set<int> used;  // by tools of the same file
+  for (const std::string& tool : options.tools) {
+    Input input = input_of(tool, repairs);
+    if (parse_input(tool).file == parse_input(options.part).file)
+      used.insert(input.numbers.begin(), input.numbers.end());
+    tools.push_back(model_of(std::move(input)));
+  }
+  const std::string others = other_parts_text(given, OtherParts::LeftOut, used);
+  occt::Model part = model_of(std::move(given));
   stop_if_interrupted();
   TimedSolids timed = timed_trim(options, part, tools);
   for (std::size_t i = 0; i < options.planes.size(); ++i)
