@@ -53,6 +53,12 @@ enum class CommonFaces {
   Copy,  ///< for files that tell names and colours by the shape, see `keeps_names`
 };
 
+/// What a user may want to know of a file that was written, in words.
+struct WriteNote {
+  std::string text;
+  bool within_tolerance = false;  ///< a change of shapes that is no more than their tolerances
+};
+
 struct Contents;  // of this folder's own
 
 /// A shape with the names, colours, layers, units and assembly that it came with.
@@ -171,9 +177,8 @@ class Model {
 
  private:
   friend Model read_model(const std::filesystem::path& file, const ReadOptions& options);
-  friend std::vector<std::string> write_model(const Model& model,
-                                              const std::filesystem::path& file,
-                                              const std::function<void()>& stop);
+  friend std::vector<WriteNote> write_model(const Model& model, const std::filesystem::path& file,
+                                            const std::function<void()>& stop);
   friend Contents& contents_of(const Model& model);
   struct Impl;
   std::unique_ptr<Impl> impl_;
@@ -198,12 +203,12 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options =
 /// layers, dimensions and the assembly go into STEP. IGES has no assemblies: each instance becomes
 /// a part, called by the names of instances that lead to it; layers have numbers. BREP has shapes
 /// only. A link stays a link, and a device is written to directly.
-/// returns  what a user wants to know of it, in words: what the file that the model was read from
-///          has beside shapes and this one has not; what of shapes had to be written otherwise
+/// returns  what the file that the model was read from has beside shapes and this one has not, and
+///          what of shapes had to be written otherwise
 /// throws   Failure if the file cannot be written, or is not BREP and an edge has no curve in the
 ///          parameters of its face; BadModel if the ending is not known
-std::vector<std::string> write_model(const Model& model, const std::filesystem::path& file,
-                                     const std::function<void()>& stop = {});
+std::vector<WriteNote> write_model(const Model& model, const std::filesystem::path& file,
+                                   const std::function<void()>& stop = {});
 
 /// Whether the format of a file, by its ending, has internal edges of faces. Open CASCADE loses
 /// them on the way to STEP, and cannot write IGES with them.

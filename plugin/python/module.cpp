@@ -108,13 +108,18 @@ py::bytes brep_bytes(LoadedModel& model) {
   return py::bytes(in_turn(model, [](LoadedModel& m) { return occt::brep_text(m.shape()); }));
 }
 
-std::vector<std::string> write_file(LoadedModel& model, const std::string& path, const Control& control) {
-  return interruptible(control, [&](const Watch& watch) {
+std::vector<std::string> write_file(LoadedModel& model, const std::string& path,
+                                    const Control& control) {
+  const std::vector<occt::WriteNote> notes = interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model.turn(watch);
     const std::function<void()> stop = [&watch] { watch.stop(); };
     if (!model.is_part()) return occt::write_model(model.repaired_input(watch).model, path, stop);
     return occt::write_model(reports::alone(model.repaired_input(watch)), path, stop);
   });
+  std::vector<std::string> told;
+  for (const occt::WriteNote& note : notes)
+    if (!note.within_tolerance) told.push_back(note.text);
+  return told;
 }
 
 py::dict counts_of(LoadedModel& model) {

@@ -213,7 +213,7 @@ std::string lost_text(const BesideShapes& had, const BesideShapes& has) {
 }
 
 FileContent content_of(const Model& model, Contents& contents, Format format,
-                       std::vector<std::string>& notes) {
+                       std::vector<WriteNote>& notes) {
   if (format == Format::Brep) return {version_1_text(model.shape())};
   if (format == Format::Glb) return {document_of(contents).content(format, contents.unit)};
   if (format == Format::Iges) {
@@ -221,26 +221,26 @@ FileContent content_of(const Model& model, Contents& contents, Format format,
     return document_of(contents).content(format, contents.unit);
   }
   const ClosedCorners closed(model.shape());
-  if (closed.count() > 0) notes.push_back(bent_text(closed));
+  if (closed.count() > 0) notes.push_back({bent_text(closed), true});
   return document_of(contents).content(format, contents.unit);
 }
 
 /// Faces from pole to pole round a hole are halved.
 ///
 /// returns   nothing if there are none
-std::optional<Model> halved(const Model& model, std::vector<std::string>& notes) {
+std::optional<Model> halved(const Model& model, std::vector<WriteNote>& notes) {
   if (polar_faces(model.shape()).empty()) return {};
   Model made = model.copy();
   const auto halves = polar_faces(made.shape());
   made.replace_faces(halves);
-  notes.push_back(halved_text(halves.size()));
+  notes.push_back({halved_text(halves.size())});
   return made;
 }
 
 }  // namespace
 
-std::vector<std::string> write_model(const Model& given, const std::filesystem::path& file,
-                                     const std::function<void()>& stop) {
+std::vector<WriteNote> write_model(const Model& given, const std::filesystem::path& file,
+                                   const std::function<void()>& stop) {
   const Format format = format_of(file);
   if (given.shape().IsNull()) throw Failure(file.string() + ": the model is empty");
   // Open CASCADE's writers break down on them.
@@ -248,7 +248,7 @@ std::vector<std::string> write_model(const Model& given, const std::filesystem::
       format != Format::Glb && keeps_names(file) && missing > 0)
     throw Failure(file.string() + ": the model has " + std::to_string(missing) +
                   " edges without a curve in the parameters of their face, which only BREP has");
-  std::vector<std::string> notes;
+  std::vector<WriteNote> notes;
   const std::optional<Model> changed =
       format == Format::Step ? halved(given, notes) : std::optional<Model>();
   const Model& model = changed ? *changed : given;
@@ -261,7 +261,7 @@ std::vector<std::string> write_model(const Model& given, const std::filesystem::
   }
   if (format != Format::Glb)  // triangles, which are to be looked at
     if (std::string lost = lost_text(model.impl_->beside, content.beside); !lost.empty())
-      notes.push_back(std::move(lost));
+      notes.push_back({std::move(lost)});
   if (stop) stop();
   write_text(content.bytes, file, stop);
   return notes;

@@ -46,11 +46,12 @@ void write_plain_json(const Json& json, const std::string& target) {
 
 void write_model(const occt::Model& model, const std::string& file) {
   enter(Phase::Writing, file);
-  const std::vector<std::string> notes = occt::write_model(model, file, [&] {
+  const std::vector<occt::WriteNote> notes = occt::write_model(model, file, [&] {
     stop_if_interrupted();
     enter(Phase::Placing, file);
   });
-  for (const std::string& text : notes) note(file + ": " + text);
+  for (const auto& [text, within_tolerance] : notes)
+    within_tolerance ? detail(file + ": " + text) : note(file + ": " + text);
 }
 
 void write_json(Json report, const std::string& target) {
