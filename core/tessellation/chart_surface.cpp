@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unbounded.h"
+
 namespace blossom {
 namespace {
 
@@ -94,6 +96,12 @@ double ChartSurface::facet_distance(const std::array<Vec2, 3>& corners, const Ve
   if (const auto* elementary = std::get_if<ElementaryChart>(&chart_))
     return blossom::facet_distance(*elementary, corners);
   return std::get<SplineChart>(chart_).facet_distance(corners, normal, allowed());
+}
+
+double ChartSurface::rough_distance(const std::array<Vec2, 3>& corners, const Vec3& normal) const {
+  if (const auto* elementary = std::get_if<ElementaryChart>(&chart_))
+    return blossom::facet_distance(*elementary, corners);
+  return std::get<SplineChart>(chart_).facet_distance(corners, normal, kUnbounded);
 }
 
 FacetDensity ChartSurface::density(const Vec2& low, const Vec2& high) const {

@@ -34,6 +34,9 @@ class ChartSurface {
   /// facets that cover it once.
   double facet_distance(const std::array<Vec2, 3>& corners, const Vec3& normal) const;
 
+  /// As much or more, at less cost: to compare sides of facets by.
+  double rough_distance(const std::array<Vec2, 3>& corners, const Vec3& normal) const;
+
   /// low, high   box of the trims
   FacetDensity density(const Vec2& low, const Vec2& high) const;
 

@@ -297,13 +297,14 @@ class FacetBuilder {
   // if only its borders are far. Where three corners are about on a line, as those of a border that
   // is nearly straight, that middle is beside the third: the middle of the facet across the side
   // takes the flat one away.
-  Vec2 dividing_point(const ConstrainedDelaunay& mesh, const Face& face, double distance) const {
-    double most = kLongSide * distance;
+  Vec2 dividing_point(const ConstrainedDelaunay& mesh, const Face& face) const {
+    double most =
+        kLongSide * surface_.rough_distance(parameters_of(face.corner), normal_at(face.corner));
     Vec2 best = middle_of(face);
     for (std::size_t k = 0; k < 3; ++k) {
       if (face.fixed[k]) continue;
       const int a = face.corner[(k + 1) % 3], b = face.corner[(k + 2) % 3];
-      const double far = distance_of({a, b, b});
+      const double far = surface_.rough_distance(parameters_of({a, b, b}), normal_at({a, b, b}));
       if (far <= most) continue;
       most = far;
       const Vec2 from = scaled(uv_of(face, k + 1)), to = scaled(uv_of(face, k + 2));
@@ -363,7 +364,7 @@ class FacetBuilder {
       far_[index(number)] = far;
       if (far <= surface_.allowed() || is_small(face.corner) || is_flat(face.corner)) continue;
       if (divides_borders_ && note_flat_over_border(face)) continue;
-      const Vec2 uv = dividing_point(mesh, face, far);
+      const Vec2 uv = dividing_point(mesh, face);
       // Rounding may put it a little beside the face.
       const int found = mesh.locate(scaled(uv));
       const int holder = mesh.faces()[index(found)].inside ? found : number;

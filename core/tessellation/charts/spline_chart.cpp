@@ -9,7 +9,9 @@
 #include "core/base/not_zero.h"
 #include "core/forms/evaluation.h"
 #include "core/math/index.h"
+#include "core/math/matrix.h"
 #include "core/subdivision/patch_subdivision.h"
+#include "core/subdivision/subdivision_matrix.h"
 #include "core/tessellation/charts/cell_jets.h"
 #include "core/tessellation/charts/joined_jet.h"
 #include "core/tessellation/charts/quadratic_rest.h"
@@ -74,6 +76,57 @@ Grid<BezierPatch> polynomials_of(const BezierSurface& surface) {
   return polynomials;
 }
 
+// The parts of spans that a range covers; not told if they are more than kMaxPatches.
+struct SpanParts {
+  int first = 0, count = 0;
+  std::array<CellSide, kMaxPatches> sides;
+
+  SpanParts(const std::vector<double>& knots, ParameterLaw law, double low, double high)
+      : first(span_of(knots, low)) {
+    count = std::max(first, span_of(knots, std::nextafter(high, low))) - first + 1;
+    for (int k = 0; k < count && count <= kMaxPatches; ++k) {
+      const Interval span{knots[index(first + k)], knots[index(first + k + 1)]};
+      // A part that is a point has no derivatives.
+      const double least = kMinPart * length(span);
+      const double from = std::clamp(low, span.from, span.to - least);
+      const double to = std::clamp(high, from + least, span.to);
+      sides[index(k)] = {
+          span, law, {local_parameter(law, span, from), local_parameter(law, span, to)}};
+    }
+  }
+};
+
+// What cuts all patches of a row, or of a column.
+struct SpanCut {
+  Grid<double> matrix;
+
+  const Grid<double>& of(int degree, const Interval& part) {
+    if (matrix.rows() != degree + 1) matrix = subdivision_matrix(degree, part);
+    return matrix;
+  }
+};
+
+std::vector<PlacedNet> placed_nets(const Grid<BezierPatch>& patches, const SpanParts& in_u,
+                                   const SpanParts& in_v) {
+  const auto place = [](const CellSide& side) {
+    return Interval{at(side.span, side.part.from), at(side.span, side.part.to)};
+  };
+  std::array<SpanCut, kMaxPatches> cuts_u, cuts_v;
+  std::vector<PlacedNet> nets;
+  nets.reserve(index(in_u.count * in_v.count));
+  for (int i = 0; i < in_u.count; ++i)
+    for (int j = 0; j < in_v.count; ++j) {
+      const CellSide &side_u = in_u.sides[index(i)], &side_v = in_v.sides[index(j)];
+      const BezierPatch& patch = patches(in_u.first + i, in_v.first + j);
+      const Grid<double>& cut_u = cuts_u[index(i)].of(patch.degree_u(), side_u.part);
+      const Grid<double>& cut_v = cuts_v[index(j)].of(patch.degree_v(), side_v.part);
+      nets.push_back({{product_transposed(product(cut_u, patch.points), cut_v)},
+                      place(side_u),
+                      place(side_v)});
+    }
+  return nets;
+}
+
 struct Parts {
   int u = 1, v = 1;
 };
@@ -82,8 +135,9 @@ int limited(double parts, double least, double most) {
   return static_cast<int>(std::clamp(std::ceil(parts), least, most));
 }
 
-// Of a patch in both directions. Where there are many facets cells are small enough to bound most
-// of them: asking each for its own rectangle costs as much as a cell.
+// Of a patch in both directions. Along a direction there are no more than facets, over which cells
+// are joined. Where there are many facets cells are small enough to bound most of them: asking each
+// for its own rectangle costs as much as a cell.
 Parts wanted_parts(const CellJet& whole, double h_u, double h_v, double fine) {
   const JetEnclosure& jet = whole.jet;
   const auto sum = [&](double uu, double uv, double vv) {
@@ -97,9 +151,9 @@ Parts wanted_parts(const CellJet& whole, double h_u, double h_v, double fine) {
                norm(whole.first_v.radius) / std::max(norm(whole.first_v.centre), kNotZero));
   const double parts =
       std::max(change / std::max(kMuchChange * size, 8 * kNoBend * fine), turn / kMuchTurn);
-  const int least = limited(parts, 1, kMaxParts);
   const auto finer = [&](double bend) {
     const double facets = std::sqrt(bend / (8 * fine));
+    const int least = limited(std::min(parts, facets), 1, kMaxParts);
     return limited(
         std::min(change / (kBoundSlack * std::max(size, kNotZero)), facets / kFacetsInCell), least,
         kMaxFineParts);
@@ -256,44 +310,24 @@ std::optional<double> SplineChart::own_distance(const JetEnclosure& of_cells,
                                                 const Vec3& normal) const {
   const auto [low, high] = rectangle_of(corners);
   const std::vector<double>&u = surface_.u_knots, &v = surface_.v_knots;
-  const int i0 = span_of(u, low[0]), j0 = span_of(v, low[1]);
-  const int i1 = std::max(i0, span_of(u, std::nextafter(high[0], low[0])));
-  const int j1 = std::max(j0, span_of(v, std::nextafter(high[1], low[1])));
-  const int rows = i1 - i0 + 1, columns = j1 - j0 + 1;
-  if (rows * columns > kMaxPatches) return {};
-  const auto part_of = [](const std::vector<double>& knots, ParameterLaw law, int i, double from,
-                          double to) {
-    const Interval span{knots[index(i)], knots[index(i + 1)]};
-    // A part that is a point has no derivatives.
-    const double least = kMinPart * length(span);
-    from = std::clamp(from, span.from, span.to - least);
-    to = std::clamp(to, from + least, span.to);
-    return CellSide{span, law, {local_parameter(law, span, from), local_parameter(law, span, to)}};
-  };
+  const SpanParts in_u(u, surface_.u_law, low[0], high[0]);
+  const SpanParts in_v(v, surface_.v_law, low[1], high[1]);
+  if (in_u.count * in_v.count > kMaxPatches) return {};
+  if (polynomials_.rows() > 0)
+    return blossom::facet_distance(of_cells, normal, corners,
+                                   quadratic_rest(placed_nets(polynomials_, in_u, in_v)));
   std::vector<JetEnclosure> jets;
-  std::vector<PlacedNet> nets;
-  const bool is_polynomial = polynomials_.rows() > 0;
-  nets.reserve(index(rows * columns));
-  for (int i = i0; i <= i1; ++i)
-    for (int j = j0; j <= j1; ++j) {
-      const CellSide side_u = part_of(u, surface_.u_law, i, low[0], high[0]);
-      const CellSide side_v = part_of(v, surface_.v_law, j, low[1], high[1]);
-      if (is_polynomial)
-        nets.push_back({sub_patch(polynomials_(i, j), side_u.part, side_v.part),
-                        {at(side_u.span, side_u.part.from), at(side_u.span, side_u.part.to)},
-                        {at(side_v.span, side_v.part.from), at(side_v.span, side_v.part.to)}});
-      else
-        jets.push_back(
-            cell_jet(sub_patch(surface_.patches(i, j), side_u.part, side_v.part), side_u, side_v)
-                .jet);
+  for (int i = 0; i < in_u.count; ++i)
+    for (int j = 0; j < in_v.count; ++j) {
+      const CellSide &side_u = in_u.sides[index(i)], &side_v = in_v.sides[index(j)];
+      const RationalBezierPatch& patch = surface_.patches(in_u.first + i, in_v.first + j);
+      jets.push_back(cell_jet(sub_patch(patch, side_u.part, side_v.part), side_u, side_v).jet);
     }
-  if (is_polynomial)
-    return blossom::facet_distance(of_cells, normal, corners, quadratic_rest(nets));
   JetEnclosure jet = joined_jet(
-      rows, columns,
-      [&](int i, int j) -> const JetEnclosure& { return jets[index(i * columns + j)]; },
-      [&](int i) { return width_in(u, i0 + i, low[0], high[0]); },
-      [&](int j) { return width_in(v, j0 + j, low[1], high[1]); });
+      in_u.count, in_v.count,
+      [&](int i, int j) -> const JetEnclosure& { return jets[index(i * in_v.count + j)]; },
+      [&](int i) { return width_in(u, in_u.first + i, low[0], high[0]); },
+      [&](int j) { return width_in(v, in_v.first + j, low[1], high[1]); });
   add_jumps(low, high, jet);
   return blossom::facet_distance(jet, normal, corners);
 }
