@@ -84,6 +84,8 @@ void add(NMR::PLib3MFModel* model, const ThreeMfObject& object) {
 
 }  // namespace
 
+void load_three_mf() {}
+
 std::string three_mf_bytes(const std::vector<ThreeMfObject>& objects) {
   Owned<NMR::PLib3MFModel> model;
   check(NMR::lib3mf_createmodel(model.out()), "createmodel");

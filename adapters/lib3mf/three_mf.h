@@ -36,6 +36,9 @@ struct ThreeMfObject {
   std::vector<ThreeMfColour> colours{};       ///< in order
 };
 
+/// Loads what three_mf_bytes needs, where that is not linked.
+void load_three_mf();
+
 /// The content of a file with these objects, each where its points are.
 ///
 /// throws   ThreeMfFailure

@@ -71,9 +71,19 @@ const DocumentModule& document_module() {
 }  // namespace occt
 
 #ifdef BLOSSOM_WITH_LIB3MF
-std::string lib3mf::three_mf_bytes(const std::vector<ThreeMfObject>& objects) {
+namespace {
+
+const ThreeMfModule& three_mf_module() {
   static const void* const module = load("blossom_three_mf.so", "3MF files");
-  return static_cast<const ThreeMfModule*>(module)->bytes(objects);
+  return *static_cast<const ThreeMfModule*>(module);
+}
+
+}  // namespace
+
+void lib3mf::load_three_mf() { three_mf_module(); }
+
+std::string lib3mf::three_mf_bytes(const std::vector<ThreeMfObject>& objects) {
+  return three_mf_module().bytes(objects);
 }
 #endif
 

@@ -2,16 +2,13 @@
 #include "plugin/cli/batch/driver.h"
 
 #include <algorithm>
-#include <cctype>
 #include <csignal>
 #include <ctime>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 
-#include "adapters/occt/base/errors.h"
-#include "adapters/occt/exchange/modules.h"
+#include "plugin/cli/batch/libraries.h"
 #include "plugin/cli/process/interruption.h"
 
 namespace blossom::cli {
@@ -38,14 +35,6 @@ class EndsOfProcesses {
   sigset_t set_{}, before_{};
 };
 
-// Whether a word of a command line names a STEP or IGES file, or something in one.
-bool names_exchanged_file(const std::string& word) {
-  std::string ending = std::filesystem::path(word.substr(0, word.find('#'))).extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".step" || ending == ".stp" || ending == ".iges" || ending == ".igs";
-}
-
 class Driver {
  public:
   Driver(JobList& list, const BatchPolicy& policy, ResultFile& results, Tally& tally,
@@ -53,7 +42,10 @@ class Driver {
       : list_(list), policy_(policy), results_(results), tally_(tally), progress_(open, tally) {}
 
   void begin(Job job, int attempt) {
-    load_for(job);
+    // Libraries take longer to load than many jobs take. The first job that names a file which
+    // needs one has it loaded here, for all that follow, and it stays theirs where the program is
+    // installed anew meanwhile. Batches of other files keep the copies of this process small.
+    load(libraries_for(job.arguments), loaded_);
     auto process = std::make_unique<JobProcess>(job, policy_.setup);
     running_.push_back({std::move(job), attempt, std::move(process)});
   }
@@ -77,20 +69,6 @@ class Driver {
     int attempt;
     std::unique_ptr<JobProcess> process;
   };
-
-  // The libraries for STEP and IGES take longer to load than many jobs take. The first job that
-  // names such a file has them loaded here, for all that follow, and they stay theirs where the
-  // program is installed anew meanwhile. Batches of other files keep the copies of this process
-  // small; jobs whose words do not tell, as of packed files, load what they need themselves.
-  void load_for(const Job& job) {
-    if (is_loaded_ || std::ranges::none_of(job.arguments, names_exchanged_file)) return;
-    is_loaded_ = true;
-    try {
-      occt::step_module();
-      occt::document_module();
-    } catch (const occt::Failure&) {  // told by the job
-    }
-  }
 
   // Whether any has ended.
   bool collect() {
@@ -124,7 +102,7 @@ class Driver {
   Tally& tally_;
   ProgressLine progress_;
   std::list<Running> running_;
-  bool is_loaded_ = false;
+  Libraries loaded_;
 };
 
 }  // namespace

@@ -18,12 +18,24 @@
 #include <string>
 #include <vector>
 
+#include "plugin/cli/batch/libraries.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/process/supervision.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::cli {
 namespace {
+
+// By the function of this name.
+void ask_for_much(const std::string& function) {
+  constexpr std::size_t kMuch = std::size_t{1} << 40, kLine = 64;
+  void* memory = nullptr;
+  if (function == "malloc") memory = std::malloc(kMuch);
+  if (function == "aligned_alloc") memory = std::aligned_alloc(kLine, kMuch);
+  if (function == "posix_memalign" && posix_memalign(&memory, kLine, kMuch) != 0) memory = nullptr;
+  void* volatile const made = memory;
+  std::free(made);
+}
 
 // Its argument says what it does.
 int on_demand(int argc, char** argv) try {
@@ -38,16 +50,22 @@ int on_demand(int argc, char** argv) try {
   if (wish == "sleep") std::this_thread::sleep_for(std::chrono::hours(1));
   if (wish == "eat")
     for (std::vector<std::string> all;;) all.emplace_back(1 << 20, 'x');
-  if (wish == "go on with less") {
-    void* volatile const memory = std::malloc(std::size_t{1} << 40);
-    std::free(memory);
-  }
+  if (wish == "go on with less") ask_for_much(argv[2]);
   if (wish == "say") std::cout << argv[2] << std::flush;
   if (wish == "complain") std::cerr << "blossom: no\n";
   return wish == "code" ? std::atoi(argv[2]) : 0;
 } catch (const std::bad_alloc&) {
   report_lack_of_memory();
   return kExitFailure;
+}
+
+TEST(BatchLibraries, FollowFromTheEndingsOfAJobsWordsAlsoOfPackedFiles) {
+  for (const char* word : {"a.step", "a.STP", "a.igs", "a.iges", "a.stp.gz", "a.stpZ", "a.zip",
+                           "b.glb", "a.step#1-3", "a.Step.GZ#Bolt"})
+    EXPECT_EQ(libraries_for({"check", word}), (Libraries{true, false})) << word;
+  EXPECT_EQ(libraries_for({"convert", "a.brep", "-o", "b.3mf"}), (Libraries{false, true}));
+  EXPECT_EQ(libraries_for({"convert", "a.stp.gz", "-o", "b.3MF"}), (Libraries{true, true}));
+  EXPECT_EQ(libraries_for({"check", "a.brep", "b.brep.gz", "step", "c.stl"}), Libraries{});
 }
 
 class BatchDriver : public ::testing::Test {
@@ -141,15 +159,20 @@ TEST_F(BatchDriver, StopsWhatIsBeyondALimitAndDoesTheRest) {
 // Open CASCADE's repairs catch their own want of memory, and what they give is another model.
 #if !defined(__SANITIZE_ADDRESS__)  // which needs more for itself
 TEST_F(BatchDriver, StopsWhatWantedMoreMemoryAndWentOnWithLess) {
-  const std::vector<Json> without = results_of({{"go on with less"}});
-  EXPECT_EQ(without[0]["status"], "done");
+  const std::vector<std::vector<std::string>> jobs = {{"go on with less", "malloc"},
+                                                      {"go on with less", "aligned_alloc"},
+                                                      {"go on with less", "posix_memalign"},
+                                                      {"code", "0"}};
+  for (const Json& without : results_of(jobs)) EXPECT_EQ(without["status"], "done");
   std::filesystem::remove(folder / "results.jsonl");
   policy.setup.megabytes = 500;
-  const std::vector<Json> within = results_of({{"go on with less"}, {"code", "0"}});
-  EXPECT_EQ(within[0]["status"], "stopped");
-  EXPECT_EQ(within[0]["messages"][0],
-            "blossom: the job was stopped: it wants more memory than its limit");
-  EXPECT_EQ(within[1]["status"], "done");
+  const std::vector<Json> within = results_of(jobs);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(within[k]["status"], "stopped") << jobs[k][1];
+    EXPECT_EQ(within[k]["messages"][0],
+              "blossom: the job was stopped: it wants more memory than its limit");
+  }
+  EXPECT_EQ(within[3]["status"], "done");
 }
 #endif
 
