@@ -48,13 +48,13 @@ CurveSurfaceIntersection intersect(const CurveSpans& curve, const BezierSurface&
   const double tolerance = options.tolerances.point + error;
   CurveTree tree(curve, origin, 3);
   SurfaceTrees trees(surface, origin, options.form);
-  const auto inside = pieces_in_surface(tree, trees, options, tolerance);
+  SharedWork work(options);
+  const auto inside = pieces_in_surface(tree, trees, work, tolerance);
   std::vector<CurveSurfaceContact> pieces;
   for (const CurveInSurface& piece : inside) pieces.push_back(piece.piece);
-  const CurveSurfaceFindings found =
-      CurveSurfaceSearch(tree, trees, options, tolerance).run(pieces);
+  const CurveSurfaceFindings found = CurveSurfaceSearch(tree, trees, work, tolerance).run(pieces);
   const auto closer = [&](const std::vector<CurveSurfaceContact>& contacts, double smaller) {
-    return CurveSurfaceSearch(tree, trees, options, smaller).run_within(contacts, pieces);
+    return CurveSurfaceSearch(tree, trees, work, smaller).run_within(contacts, pieces);
   };
   CurveSurfaceIntersection result =
       CurveSurfaceAssembly(tree, surface, trees, tolerance).finish(inside, found, closer);

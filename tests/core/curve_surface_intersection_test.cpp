@@ -241,6 +241,19 @@ TEST(CurveSurfaceIntersection, BudgetEndsTheSearchForPiecesInACollapsedSurface) 
   EXPECT_FALSE(found.places.empty());
 }
 
+// Were it spent twice, for pieces and for points, so would be the time that was asked for.
+TEST(CurveSurfaceIntersection, SpendsItsBudgetOnceOnPiecesAndPointsTogether) {
+  const BezierSurface collapsed = one_patch(bilinear({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}));
+  IntersectionOptions options;
+  options.budget = 1000;
+  long asked = 0;
+  const std::function<bool()> count = [&] { return ++asked, false; };
+  options.cancelled = count;
+  intersect(bezier({{0.3, 0, 0}, {1.7, 0, 0}}), collapsed, options);
+  EXPECT_GT(asked, 0);
+  EXPECT_LE(asked, options.budget / 256);  // asked once in so many steps
+}
+
 TEST(CurveSurfaceIntersection, RefusesBadInput) {
   EXPECT_THROW(intersect(CurveSpans{}, plane()), InvalidInput);
   EXPECT_THROW(intersect(parabola_over_plane(0), BezierSurface{}), InvalidInput);

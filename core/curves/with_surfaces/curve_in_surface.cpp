@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/work_limit.h"
 #include "core/blossom/composition.h"
 #include "core/curves/limits.h"
 #include "core/curves/shared_curve.h"
@@ -31,13 +30,8 @@ bool is_graph(const Cell& cell) {
 
 class PieceFinder {
  public:
-  PieceFinder(const CurveTree& curve, SurfaceTrees& surface, const IntersectionOptions& options,
-              double tolerance)
-      : curve_(curve),
-        surface_(surface),
-        tolerance_(tolerance),
-        budget_(options.budget),
-        limit_(options) {}
+  PieceFinder(const CurveTree& curve, SurfaceTrees& surface, SharedWork& work, double tolerance)
+      : curve_(curve), surface_(surface), work_(work), tolerance_(tolerance) {}
 
   void examine(int span, const Interval& t, int depth) {
     const auto point = [&](double part) { return curve_.jet({span, at(t, part)}).point; };
@@ -120,15 +114,14 @@ class PieceFinder {
   }
 
   bool may_split() {
-    is_spent_ = is_spent_ || ++splits_ > budget_ || (splits_ % kAskEvery == 0 && limit_.reached());
+    is_spent_ = work_.step() != nullptr;
     return !is_spent_;
   }
 
   const CurveTree& curve_;
   SurfaceTrees& surface_;
+  SharedWork& work_;
   double tolerance_;
-  long budget_, splits_ = 0;
-  WorkLimit limit_;
   bool is_spent_ = false;
   std::vector<int> cells_;  // that feet_near has to look at; kept for its memory
 };
@@ -155,9 +148,8 @@ SurfaceFoot foot_on(const SurfaceTrees& surface, int patch, const Vec2& start, c
 }
 
 std::vector<CurveInSurface> pieces_in_surface(const CurveTree& curve, SurfaceTrees& surface,
-                                              const IntersectionOptions& options,
-                                              double tolerance) {
-  PieceFinder finder(curve, surface, options, tolerance);
+                                              SharedWork& work, double tolerance) {
+  PieceFinder finder(curve, surface, work, tolerance);
   for (int span = 0; span < curve.spans(); ++span) finder.examine(span, {0, 1}, 0);
   return std::move(finder.found);
 }

@@ -18,10 +18,10 @@ struct CurveInSurface {
   double gap = 0;             ///< bound on the distance along it, model units
 };
 
-/// All such pieces down to a 64th of a span, in order; where the budget or the time of the options
-/// is spent on it, those that were found till then.
+/// All such pieces down to a 64th of a span, in order; where the work ends, those that were found
+/// till then.
 std::vector<CurveInSurface> pieces_in_surface(const CurveTree& curve, SurfaceTrees& surface,
-                                              const IntersectionOptions& options, double tolerance);
+                                              SharedWork& work, double tolerance);
 
 /// A place of the surface within the tolerance of a point.
 struct SurfaceFoot {

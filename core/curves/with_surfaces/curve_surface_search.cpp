@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/work_limit.h"
 #include "core/cells/limits.h"
 #include "core/curves/contact_length.h"
 #include "core/curves/limits.h"
@@ -82,11 +81,18 @@ std::optional<CurveSurfaceParameters> curve_surface_point(const CurveTree& curve
   return std::nullopt;
 }
 
-CurveSurfaceSearch::CurveSurfaceSearch(CurveTree& curve, SurfaceTrees& surface,
-                                       const IntersectionOptions& options, double tolerance)
+const char* SharedWork::step() {
+  if (reason_) return reason_;
+  if (++steps_ % kAskEvery == 0) reason_ = limit_.reached();
+  if (steps_ > budget_) reason_ = "the budget is spent";
+  return reason_;
+}
+
+CurveSurfaceSearch::CurveSurfaceSearch(CurveTree& curve, SurfaceTrees& surface, SharedWork& work,
+                                       double tolerance)
     : curve_(curve),
       surface_(surface),
-      options_(options),
+      work_(work),
       tolerance_(tolerance),
       valley_{tolerance, tangency_length(tolerance, curve.size()),
               4 * (curve.evaluation_margin() + surface.evaluation_margin())} {}
@@ -114,10 +120,8 @@ CurveSurfaceFindings CurveSurfaceSearch::run_within(
 }
 
 void CurveSurfaceSearch::work_off() {
-  const WorkLimit limit(options_);
-  for (long count = 1; !pairs_.empty(); ++count) {
-    if (count % kAskEvery == 0) found_.stopped = limit.reached();
-    if (count > options_.budget) found_.stopped = "the budget is spent";
+  while (!pairs_.empty()) {
+    found_.stopped = work_.step();
     if (found_.stopped) break;
     const Pair pair = pairs_.back();
     pairs_.pop_back();

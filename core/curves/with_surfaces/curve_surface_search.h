@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/work_limit.h"
 #include "core/cells/cell_pair.h"
 #include "core/cells/cell_tree.h"
 #include "core/cells/curve_cells.h"
@@ -64,10 +65,27 @@ struct CurveSurfaceFindings {
   const char* stopped = nullptr;  ///< why
 };
 
+/// What all parts of one intersection may spend together: budget and time of its options.
+class SharedWork {
+ public:
+  /// The time limit begins to run.
+  /// options   kept by reference
+  explicit SharedWork(const IntersectionOptions& options)
+      : limit_(options), budget_(options.budget) {}
+  explicit SharedWork(IntersectionOptions&&) = delete;
+
+  /// Counts a step. Why the work has to end now, and stays ended; null if it may go on.
+  const char* step();
+
+ private:
+  WorkLimit limit_;
+  long budget_, steps_ = 0;
+  const char* reason_ = nullptr;
+};
+
 class CurveSurfaceSearch {
  public:
-  CurveSurfaceSearch(CurveTree& curve, SurfaceTrees& surface, const IntersectionOptions& options,
-                     double tolerance);
+  CurveSurfaceSearch(CurveTree& curve, SurfaceTrees& surface, SharedWork& work, double tolerance);
 
   /// All pairs; pieces of the curve in `inside` lie in the surface, and only common points
   /// elsewhere are sought.
@@ -100,7 +118,7 @@ class CurveSurfaceSearch {
 
   CurveTree& curve_;
   SurfaceTrees& surface_;
-  const IntersectionOptions& options_;
+  SharedWork& work_;
   double tolerance_;
   CurveSurfaceValleyOptions valley_;
   const std::vector<CurveSurfaceContact>* inside_ = nullptr;
