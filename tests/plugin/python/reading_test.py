@@ -103,6 +103,16 @@ class Reading(unittest.TestCase):
                 model = blossom.read(path)
         self.assertEqual(model.reading["grade"], "shapes lost")
 
+    def test_what_a_written_file_lacks_is_warned_of(self):
+        text = BLOCK.read_text()
+        at = text.index("ENDSEC;", text.index("DATA;"))
+        approved = "#9001=APPROVAL_STATUS('yes');\n#9002=APPROVAL(#9001,'');\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "approved.step")
+            path.write_text(text[:at] + approved + text[at:])
+            with self.assertWarnsRegex(UserWarning, "written without 1 approval of the file"):
+                blossom.read(path).to_step(Path(folder, "out.step"))
+
     def test_no_file_ends_the_program(self):
         text = BLOCK.read_text()
         nested = "#1=POINT(" + "(" * 200_000 + ")" * 200_000 + ");\nENDSEC;\nEND-ISO-10303-21;\n"

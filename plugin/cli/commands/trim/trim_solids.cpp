@@ -76,9 +76,8 @@ Input input_of(const std::string& text, Json& repairs) {
   return input;
 }
 
-// What is named. Models of their own, even of one file: the part is changed.
-occt::Model model_of(Input input) {
-  std::optional<occt::Model> named = reports::alone_for_solids(input);
+// What is named, or all. Models of their own, even of one file: the part is changed.
+occt::Model model_of(Input& input, std::optional<occt::Model> named) {
   return std::move(named ? *named : input.model);
 }
 
@@ -266,16 +265,17 @@ int trim_solids(const SolidTrim& options) {
   start_threads(options.engine.threads);
   Json repairs = Json::array();
   Input given = input_of(options.part, repairs);
+  std::optional<occt::Model> named = reports::alone_for_solids(given);
   Models tools;
   std::set<int> used;  // by tools of the same file
   for (const std::string& tool : options.tools) {
     Input input = input_of(tool, repairs);
     if (parse_input(tool).file == parse_input(options.part).file)
       used.insert(input.numbers.begin(), input.numbers.end());
-    tools.push_back(model_of(std::move(input)));
+    tools.push_back(model_of(input, reports::alone_for_solids(input)));
   }
   const std::string others = other_parts_text(given, OtherParts::LeftOut, used);
-  occt::Model part = model_of(std::move(given));
+  occt::Model part = model_of(given, std::move(named));
   stop_if_interrupted();
   TimedSolids timed = timed_trim(options, part, tools);
   for (std::size_t i = 0; i < options.planes.size(); ++i)
