@@ -102,7 +102,7 @@ class SurfaceParameters {
 }  // namespace
 
 ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                         const Vec3& origin, const Chain& chain, double rounding)
+                         const Vec3& origin, const Chain& chain, double meets)
     : found_(found), a_(a), b_(b), origin_(origin), chain_(chain) {
   struct LinkPoints {
     Vec3 from, middle, to;
@@ -122,18 +122,18 @@ ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, Surface
     known_points_.push_back(origin + middle);
     stations_.push_back(stations_.back() + std::max(sum, kNotZero));
   }
-  if (chain.closed || !(rounding > 0)) return;
-  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) find_node(side, rounding);
+  if (chain.closed || !(meets > 0)) return;
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) find_node(side, meets);
 }
 
-void ChainTracer::find_node(std::size_t side, double rounding) {
+void ChainTracer::find_node(std::size_t side, double meets) {
   const std::size_t index = side == 0 ? 0 : chain_.links.size() - 1;
   const ChainLink& link = chain_.links[index];
   const FoundArc& arc = found_.arcs[static_cast<std::size_t>(link.arc)];
   if (arc.arc.iso >= 0 || arc.arc.straight || arc.arc.tangential || arc.to_pole) return;
   const Vec3 apart = apart_in(arc, (side == 0) == link.forward ? arc.arc.from : arc.arc.to);
   const double gap = norm(apart);
-  if (!(gap <= rounding && on_link(index, side == 0 ? 0 : 1).sine <= kRoundedSine)) return;
+  if (!(gap <= meets && on_link(index, side == 0 ? 0 : 1).sine <= kRoundedSine)) return;
   const double station = side == 0 ? 0 : stations_.back(), most = 0.5 * stations_.back();
   double reach = kMinReach * (stations_[index + 1] - stations_[index]);
   while (reach < most && at(std::abs(station - reach), side == 0).sine * reach * kTurned < gap)
