@@ -156,6 +156,14 @@ Vec3 direction_at(const BodyEdges& body, const DirectedEdge& half) {
   return half.at_start ? direction : -direction;
 }
 
+bool is_narrow(const BodyEdges& body, const VertexSector& sector, const DirectedEdge& next) {
+  double first = 0, last = 0;
+  BRep_Tool::Range(body.edge(sector.half.edge), first, last);
+  const EdgeUseInFace& use = body.uses(sector.face)[static_cast<std::size_t>(sector.use)];
+  const Vec3 inwards = body.corner(use, sector.half.at_start ? first : last).inwards;
+  return dot(direction_at(body, next), inwards) > std::sin(kSmoothJoint);
+}
+
 EdgeKind edge_kind(const BodyEdges& body, int edge, double& angle) {
   double first = 0, last = 0;
   BRep_Tool::Range(body.edge(edge), first, last);

@@ -107,6 +107,12 @@ inline constexpr double kSmoothJoint = 1e-3;
 /// The direction of an edge at a vertex, away from it, unit.
 Vec3 direction_at(const BodyEdges& body, const DirectedEdge& half);
 
+/// Whether the face of a sector at a vertex turns by less than half a circle there, so that
+/// contacts of blends along its edges come to each other.
+///
+/// next   the edge at which the sector ends
+bool is_narrow(const BodyEdges& body, const VertexSector& sector, const DirectedEdge& next);
+
 /// The kind of an edge of a body, and the largest angle between the normals along it.
 EdgeKind edge_kind(const BodyEdges& body, int edge, double& angle);
 

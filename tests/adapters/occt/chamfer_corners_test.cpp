@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -19,11 +20,13 @@
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Plane.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -49,6 +52,14 @@ std::vector<int> convex_edges(const TopoDS_Shape& shape, const Fits& fits) {
 
 std::vector<int> convex_edges(const TopoDS_Shape& shape) {
   return convex_edges(shape, [](const EdgeFacts&) { return true; });
+}
+
+// Convex and concave.
+std::vector<int> sharp_edges(const TopoDS_Shape& shape) {
+  std::vector<int> found = convex_edges(shape);
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == EdgeKind::Concave) found.push_back(each.number);
+  return found;
 }
 
 FilletResult chamfered(const TopoDS_Shape& shape, const std::vector<int>& edges, double distance) {
@@ -116,6 +127,74 @@ TEST(ChamferCorner, OfThreeBesideCurvedFacesIsAPlane) {
   EXPECT_GE(found.size(), 8U);
   for (const TopoDS_Face& each : found)
     EXPECT_FALSE(Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(each)).IsNull());
+}
+
+// A prism over a polygon, upright.
+TopoDS_Shape prism(const std::vector<gp_Pnt>& points, double height) {
+  BRepBuilderAPI_MakePolygon polygon;
+  for (const gp_Pnt& each : points) polygon.Add(each);
+  polygon.Close();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon.Wire()).Shape(),
+                               gp_Vec(0, 0, height))
+      .Shape();
+}
+
+// What chamfers of all edges of an angle take. At a depth s below a side the outline has moved by
+// d - s, has five corners with less of them than upright chamfers take, s^2 / 2, and the inner
+// corner filled by (2 d - s)^2 / 2: below the plane through the inner corner, in which the chamfers
+// meet.
+double taken_of_angle(double perimeter, double height, double d) {
+  return (perimeter + 2 * height) * d * d - 22.0 / 3 * d * d * d;
+}
+
+// Two convex edges and a concave one: a line goes over the upper face from one rim to the other,
+// through the corner itself.
+TEST(ChamferCorner, OfBothKindsIsAPlaneBetweenAllThree) {
+  const TopoDS_Shape angle =
+      prism({{0, 0, 0}, {30, 0, 0}, {30, 8, 0}, {8, 8, 0}, {8, 30, 0}, {0, 30, 0}}, 20);
+  for (const double d : {0.16, 2.4, 3.92}) {
+    const FilletResult made = chamfered(angle, sharp_edges(angle), d);
+    testing::expect_sound(made);
+    ASSERT_EQ(made.solids.size(), 1U);
+    EXPECT_NEAR(made.volume_before - made.solids.front().volume, taken_of_angle(120, 20, d), 1e-9);
+    EXPECT_EQ(corners(made).size(), 12U);
+    EXPECT_TRUE(made.notes.empty());
+  }
+}
+
+// The angle between the walls of the notch is 60 degrees: the line across the upper face goes over
+// what was open. And of unlike distances, where the corner is in no plane.
+TEST(ChamferCorner, OfBothKindsBesideANotch) {
+  const TopoDS_Shape notched = prism({{0, 0, 0},
+                                      {30, 0, 0},
+                                      {30, 30, 0},
+                                      {21, 30, 0},
+                                      {15, 30 - 6 * std::sqrt(3.), 0},
+                                      {9, 30, 0},
+                                      {0, 30, 0}},
+                                     10);
+  testing::expect_sound(chamfered(notched, sharp_edges(notched), 0.8));
+  FilletOptions unlike;
+  unlike.chamfer = ChamferSize{0.8, 0.5};
+  testing::expect_sound(fillet(notched, sharp_edges(notched), unlike));
+}
+
+// A rib with a slanting back against a wall, three thick: at half of that the chamfers beside it
+// meet, and nothing is left between the fills at both ends of its upper edge.
+TEST(ChamferCorner, OfBothKindsMeetsTheNextOne) {
+  const TopoDS_Shape foot = BRepPrimAPI_MakeBox(40, 30, 4).Shape();
+  const TopoDS_Shape wall = BRepPrimAPI_MakeBox(4, 30, 30).Shape();
+  BRepBuilderAPI_MakePolygon side({4, 13, 4}, {20, 13, 4}, {4, 13, 26}, true);
+  const TopoDS_Shape rib =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(side.Wire()).Shape(), gp_Vec(0, 3, 0)).Shape();
+  ShapeUpgrade_UnifySameDomain whole(
+      BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(foot, wall).Shape(), rib).Shape());
+  whole.Build();
+  for (const double d : {1.49, 1.5}) {
+    const FilletResult made = chamfered(whole.Shape(), sharp_edges(whole.Shape()), d);
+    testing::expect_sound(made);
+    EXPECT_TRUE(made.notes.empty());
+  }
 }
 
 TEST(ChamferCorner, OfFourThatLieInNoPlaneIsFilled) {

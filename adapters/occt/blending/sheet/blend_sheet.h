@@ -175,8 +175,11 @@ class BlendSheet {
   PathEdge mitre_edge(const DirectedEdge& a, const DirectedEdge& b, const TopoDS_Vertex& from,
                       const TopoDS_Vertex& to, double reach);
   void turn_path(const DirectedEdge& half);
-  std::optional<std::vector<TopoDS_Vertex>> borders_cross(const Ring& ring);
-  bool flat_corner(const Ring& ring, const std::vector<TopoDS_Vertex>& places);
+  std::optional<std::array<double, 2>> border_crossing(const Ring& ring, std::size_t sector);
+  bool borders_cross(const Ring& ring);
+  TopoDS_Edge line_across(const TopoDS_Face& plane, int face, const TopoDS_Vertex& from,
+                          const TopoDS_Vertex& to) const;
+  bool flat_corner(const Ring& ring);
   std::optional<TopoDS_Edge> flat_end(const DirectedEdge& half, const TopoDS_Face& plane,
                                       const TopoDS_Vertex& from, const TopoDS_Vertex& to);
   bool crossed_corner(const Ring& ring);
@@ -199,6 +202,7 @@ class BlendSheet {
   SetbackSide slanted_side(const DirectedEdge& half);
   SetbackSide path_side(const Ring& ring, std::size_t sector,
                         const std::map<std::size_t, double>& cuts);
+  void check_room(const DirectedEdge& half, const SetbackSide& path) const;
   PathEdge section_edge(const DirectedEdge& half, const FillBorder& border);
   PathEdge setback_edge(const SetbackSide& side, const FillBorder& border);
   void fill_corner(const Ring& ring, const std::vector<SetbackSide>& sides);

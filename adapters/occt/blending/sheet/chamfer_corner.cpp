@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Corners in which the borders of chamfers of one kind cross, each one that of the next: every
+// Corners in which all edges have chamfers, whose borders cross, each one that of the next: every
 // strip ends between two crossings, in the plane through all of them if there is one, else along a
-// line in its own parameters, and a fill closes the hole.
-#include <algorithm>
+// line in its own parameters, and a fill closes the hole. Where edges of both kinds leave a face
+// more than half a circle between two of them, borders do not cross: a line in the face goes from
+// the one strip's end to the other's.
+#include <array>
+#include <cmath>
+#include <map>
 #include <optional>
 
 #include <BRep_Builder.hxx>
@@ -29,6 +33,19 @@ bool is_plane(const RolledStrip& strip) {
   return !Handle(Geom_Plane)::DownCast(strip.surface).IsNull();
 }
 
+// The plane through the corners of a polygon, as near as they lie in one, its normal to where they
+// run against the clock.
+TopoDS_Face plane_round(const std::vector<TopoDS_Vertex>& corners) {
+  const Vec3 first = point_of(corners.front());
+  Vec3 area{};
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    area += cross(point_of(corners[i]) - first, point_of(corners[i + 1]) - first);
+  TopoDS_Face face;
+  BRep_Builder().MakeFace(face, new Geom_Plane(pnt(first), dir(unit(area))),
+                          Precision::Confusion());
+  return face;
+}
+
 // An edge with a chart in a plane.
 void add_chart_in(const TopoDS_Face& plane, const TopoDS_Edge& edge, double tolerance) {
   const SurfaceProjector on(plane, Precision::Confusion());
@@ -39,28 +56,42 @@ void add_chart_in(const TopoDS_Face& plane, const TopoDS_Edge& edge, double tole
 
 }  // namespace
 
-// Where the left border of each strip crosses the right one of the next; nothing where one does
-// not, or the strips are of both kinds.
-std::optional<std::vector<TopoDS_Vertex>> BlendSheet::borders_cross(const Ring& ring) {
+// Where the left border of a strip crosses the right one of the next in the face between them:
+// parameters of both. Nothing where the face is wide there, or they do not cross.
+std::optional<std::array<double, 2>> BlendSheet::border_crossing(const Ring& ring,
+                                                                 std::size_t sector) {
+  const DirectedEdge half = ring[sector].half, next = ring[(sector + 1) % ring.size()].half;
+  if (!is_narrow(body_, ring[sector], next)) return std::nullopt;
+  return contacts_cross(body_, strip_of(half).strip, left_side(half), end_t(half),
+                        strip_of(next).strip, right_side(next), end_t(next));
+}
+
+// Ends every strip where its borders cross those of the next ones. Those on either side of a face
+// that turns by more than half a circle, which edges of both kinds leave, do not: there a strip
+// ends as far from the vertex as on its other side. False, and nothing is done, where that tells no
+// end.
+bool BlendSheet::borders_cross(const Ring& ring) {
   const std::size_t count = ring.size();
   for (const VertexSector& each : ring)
-    if (!is_filleted(each.half.edge) ||
-        strip_of(each.half).strip.concave != strip_of(ring.front().half).strip.concave)
-      return std::nullopt;
-  std::vector<TopoDS_Vertex> places(count);
+    if (!is_filleted(each.half.edge)) return false;
+  std::vector<std::optional<std::array<double, 2>>> crossings;  // by sector
+  for (std::size_t i = 0; i < count; ++i) crossings.push_back(border_crossing(ring, i));
+  for (std::size_t i = 0; i < count; ++i)
+    if (!crossings[i] && !crossings[(i + count - 1) % count]) return false;
+  const auto end_on = [&](const DirectedEdge& half, std::size_t side, double t) {
+    end_of(half).t[side] = t;
+    end_of(half).vertices[side] =
+        new_vertex(vec(strip_of(half).strip.contacts[side].curve->Value(t).XYZ()));
+  };
   for (std::size_t i = 0; i < count; ++i) {
     const DirectedEdge half = ring[i].half, next = ring[(i + 1) % count].half;
-    const RolledStrip &of = strip_of(half).strip, &after = strip_of(next).strip;
-    const auto crossing = contacts_cross(body_, of, left_side(half), end_t(half), after,
-                                         right_side(next), end_t(next));
-    if (!crossing) return std::nullopt;
-    end_of(half).t[left_side(half)] = (*crossing)[0];
-    end_of(next).t[right_side(next)] = (*crossing)[1];
-    places[i] = new_vertex(vec(of.contacts[left_side(half)].curve->Value((*crossing)[0]).XYZ()));
-    end_of(half).vertices[left_side(half)] = places[i];
-    end_of(next).vertices[right_side(next)] = places[i];
+    const auto &before = crossings[(i + count - 1) % count], &after = crossings[(i + 1) % count];
+    end_on(half, left_side(half), crossings[i] ? (*crossings[i])[0] : (*before)[1]);
+    end_on(next, right_side(next), crossings[i] ? (*crossings[i])[1] : (*after)[0]);
+    if (crossings[i])
+      end_of(next).vertices[right_side(next)] = end_of(half).vertices[left_side(half)];
   }
-  return places;
+  return true;
 }
 
 // The edge in which a strip ends in a plane, with its charts; the strip walks it from the one
@@ -88,27 +119,54 @@ std::optional<TopoDS_Edge> BlendSheet::flat_end(const DirectedEdge& half, const 
   return TopoDS::Edge(edge.Oriented(curve->forward ? TopAbs_FORWARD : TopAbs_REVERSED));
 }
 
-// A plane corner between the places where borders cross; false, and nothing is done, if they lie
-// in none, or a strip does not go through it.
-bool BlendSheet::flat_corner(const Ring& ring, const std::vector<TopoDS_Vertex>& places) {
+// A line in a plane corner and in a face of the body that is a plane, too.
+TopoDS_Edge BlendSheet::line_across(const TopoDS_Face& plane, int face, const TopoDS_Vertex& from,
+                                    const TopoDS_Vertex& to) const {
+  const Vec3 start = point_of(from), way = point_of(to) - start;
+  const TopoDS_Edge edge =
+      edge_on(new Geom_Line(pnt(start), dir(unit(way))), {0, norm(way)}, from, to);
+  for (const TopoDS_Face& of : {body_.face(face), plane}) add_chart_in(of, edge, tolerance_);
+  return edge;
+}
+
+// A plane corner between the ends of all strips; false, and nothing is done, if they lie in none,
+// or a strip or a face that it comes to does not go through it.
+bool BlendSheet::flat_corner(const Ring& ring) {
   const std::size_t count = ring.size();
+  std::vector<TopoDS_Vertex> round;  // against the clock, as seen from outside
+  for (const VertexSector& each : ring)
+    for (const std::size_t side : {right_side(each.half), left_side(each.half)})
+      if (const TopoDS_Vertex& next = end_of(each.half).vertices[side];
+          round.empty() || !next.IsSame(round.back()))
+        round.push_back(next);
   BlendPatch patch;
-  // Seen from outside the edges are met against the clock.
-  patch.face = plane_face(point_of(places[0]), point_of(places[1]), point_of(places[count - 1]));
+  patch.face = plane_round(round);
   const SurfaceProjector feet(patch.face, Precision::Confusion());
-  for (const TopoDS_Vertex& each : places)
+  for (const TopoDS_Vertex& each : round)
     if (std::abs(feet.height(point_of(each))) > tolerance_) return false;
+  std::map<int, std::vector<TopoDS_Edge>> across;  // by face
+  std::vector<TopoDS_Edge> ends;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto edge =
-        flat_end(ring[i].half, patch.face, places[i], places[(i + count - 1) % count]);
+    const DirectedEdge half = ring[i].half, next = ring[(i + 1) % count].half;
+    const TopoDS_Vertex& left = end_of(half).vertices[left_side(half)];
+    const auto edge = flat_end(half, patch.face, left, end_of(half).vertices[right_side(half)]);
     if (!edge) return false;
+    ends.push_back(*edge);
     patch.edges.push_back(TopoDS::Edge(edge->Reversed()));
+    const TopoDS_Vertex& beyond = end_of(next).vertices[right_side(next)];
+    if (left.IsSame(beyond)) continue;
+    if (Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(body_.face(ring[i].face))).IsNull())
+      return false;
+    patch.edges.push_back(line_across(patch.face, ring[i].face, left, beyond));
+    across[ring[i].face].push_back(TopoDS::Edge(patch.edges.back().Reversed()));
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const bool forward = patch.edges[i].Orientation() == TopAbs_REVERSED;
-    end_of(ring[i].half).path = {{TopoDS::Edge(patch.edges[i].Oriented(TopAbs_FORWARD)), forward}};
+    const bool forward = ends[i].Orientation() == TopAbs_FORWARD;
+    end_of(ring[i].half).path = {{TopoDS::Edge(ends[i].Oriented(TopAbs_FORWARD)), forward}};
     turn_path(ring[i].half);
   }
+  for (const auto& [face, edges] : across)
+    added_[face].insert(added_[face].end(), edges.begin(), edges.end());
   patches_.push_back(std::move(patch));
   return true;
 }
@@ -150,11 +208,17 @@ BlendSheet::SetbackSide BlendSheet::slanted_side(const DirectedEdge& half) {
 
 // False, and nothing is done, where borders do not cross.
 bool BlendSheet::crossed_corner(const Ring& ring) {
-  const auto places = borders_cross(ring);
-  if (!places) return false;
-  if (flat_corner(ring, *places)) return true;
+  if (!borders_cross(ring)) return false;
+  if (flat_corner(ring)) return true;
   std::vector<SetbackSide> sides;
-  for (const VertexSector& each : ring) sides.push_back(slanted_side(each.half));
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const DirectedEdge half = ring[i].half, next = ring[(i + 1) % ring.size()].half;
+    sides.push_back(slanted_side(half));
+    const TopoDS_Vertex& left = end_of(half).vertices[left_side(half)];
+    if (left.IsSame(end_of(next).vertices[right_side(next)])) continue;
+    sides.push_back(path_side(ring, i, {}));
+    sides.back().from = left;
+  }
   fill_corner(ring, sides);
   return true;
 }

@@ -42,7 +42,8 @@ Handle(Geom2d_Curve) border_line(int edge, bool with_parameter) {
 
 class FillTopology {
  public:
-  FillTopology(const Fill& fill, const std::vector<TopoDS_Vertex>& corners);
+  FillTopology(const Fill& fill, const std::vector<TopoDS_Vertex>& corners,
+               const std::function<TopoDS_Vertex(const Vec3&)>& vertex);
 
   std::vector<FillFace> faces(const std::function<PathEdge(const FillBorder&)>& border);
 
@@ -54,13 +55,15 @@ class FillTopology {
   void share(const SharedQuadEdge& shared, int turn);
 
   PolygonLayout layout_;
+  std::function<TopoDS_Vertex(const Vec3&)> made_;
   std::vector<Handle(Geom_BezierSurface)> surfaces_;
   std::vector<FillFace> faces_;
   std::map<std::pair<int, int>, TopoDS_Vertex> vertices_;  // by role and sector
 };
 
-FillTopology::FillTopology(const Fill& fill, const std::vector<TopoDS_Vertex>& corners)
-    : layout_(polygon_layout(fill.layout, static_cast<int>(corners.size()))) {
+FillTopology::FillTopology(const Fill& fill, const std::vector<TopoDS_Vertex>& corners,
+                           const std::function<TopoDS_Vertex(const Vec3&)>& vertex)
+    : layout_(polygon_layout(fill.layout, static_cast<int>(corners.size()))), made_(vertex) {
   for (const RationalBezierPatch& patch : fill.patches) {
     surfaces_.push_back(to_occt(patch));
     FillFace made;
@@ -95,7 +98,7 @@ const TopoDS_Vertex& FillTopology::vertex(const QuadEdge& at, int i) {
   if (known.IsNull()) {
     const int k = (at.edge + i) % 4;
     const gp_Pnt p = surfaces_[patch_of(at)]->Value(k == 1 || k == 2 ? 1 : 0, k >= 2 ? 1 : 0);
-    known = vertex_at({p.X(), p.Y(), p.Z()});
+    known = made_({p.X(), p.Y(), p.Z()});
   }
   return known;
 }
@@ -142,8 +145,9 @@ std::vector<FillFace> FillTopology::faces(
 }  // namespace
 
 std::vector<FillFace> fill_faces(const Fill& fill, const std::vector<TopoDS_Vertex>& corners,
+                                 const std::function<TopoDS_Vertex(const Vec3&)>& vertex,
                                  const std::function<PathEdge(const FillBorder&)>& border) {
-  return FillTopology(fill, corners).faces(border);
+  return FillTopology(fill, corners, vertex).faces(border);
 }
 
 }  // namespace blossom::occt

@@ -39,8 +39,10 @@ struct FillFace {
 /// All patches.
 ///
 /// corners   the vertices in which the sides begin
+/// vertex    makes, or finds, all others
 /// border    makes the edge of a half, with its chart on the patch
 std::vector<FillFace> fill_faces(const Fill& fill, const std::vector<TopoDS_Vertex>& corners,
+                                 const std::function<TopoDS_Vertex(const Vec3&)>& vertex,
                                  const std::function<PathEdge(const FillBorder&)>& border);
 
 }  // namespace blossom::occt

@@ -9,8 +9,6 @@
 #include <set>
 #include <utility>
 
-#include <BRep_Tool.hxx>
-
 #include "adapters/occt/blending/blend_edges.h"
 
 namespace blossom::occt {
@@ -21,7 +19,8 @@ namespace {
 constexpr std::size_t kOrdered = 3;
 constexpr std::size_t kAlternating = 4;  // but for two and two that alternate
 
-// Groups of edges as the classes of a partition, and which come before which.
+// Groups of edges as the classes of a partition, and which come before which. Chamfers of all edges
+// of a vertex are made at once: they turn by an angle there and go on in none that comes later.
 class Order {
  public:
   Order(const BodyEdges& body, const FilletEdges& edges, const FilletOptions& options);
@@ -66,16 +65,6 @@ bool is_of_kind(const BodyEdges& body, const FilletEdges& edges, int edge, bool 
   return edge_kind(body, edge, angle) == (concave ? EdgeKind::Concave : EdgeKind::Convex);
 }
 
-// Whether a sector at a vertex turns by less than half a circle, so that contacts of its edges come
-// to the other one.
-bool is_narrow(const BodyEdges& body, const VertexSector& sector, const DirectedEdge& next) {
-  double first = 0, last = 0;
-  BRep_Tool::Range(body.edge(sector.half.edge), first, last);
-  const EdgeUseInFace& use = body.uses(sector.face)[static_cast<std::size_t>(sector.use)];
-  const Vec3 inwards = body.corner(use, sector.half.at_start ? first : last).inwards;
-  return dot(direction_at(body, next), inwards) > std::sin(kSmoothJoint);
-}
-
 // Whether two edges of either kind alternate round a vertex, all with fillets that come to each
 // other. Once those of one kind are made the two others go on smoothly in each other, along the
 // ends of these.
@@ -106,6 +95,11 @@ Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOption
         if (has_fillet) (known->second == concave ? alike : others).push_back(known->first);
         if (is_of_kind(body, edges, each.half.edge, concave)) ++of_kind;
         if (is_of_kind(body, edges, each.half.edge, !concave)) ++of_other_kind;
+      }
+      if (options.chamfer && alike.size() + others.size() == ring.size()) {
+        for (const std::vector<int>* of : {&alike, &others})
+          for (const int each : *of) unite(edge, each);
+        continue;
       }
       if (const int larger = ring.size() == 3 ? with_larger_ball(alike, options) : 0) {
         for (const int each : alike)

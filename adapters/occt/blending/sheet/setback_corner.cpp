@@ -261,11 +261,6 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
   };
   const PathEnd from = end_in(sector, true), to = end_in(next, false);
   made.chart = corner_path(surface, from, to);
-  const RolledContact path{face, {}, made.chart, 0};
-  for (int i = 1; i < kPathSamples; ++i)
-    if (!lies_inside(body_, path, static_cast<double>(i) / kPathSamples))
-      refuse(ring[sector].half, FilletFault::Corner,
-             "face " + std::to_string(face) + " has no room for its corner: " + too_large());
   TopoDS_Edge edge;
   const BRep_Builder builder;
   builder.MakeEdge(edge);
@@ -278,6 +273,14 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
                   .side;
   made.side.continuity = continuity;
   return made;
+}
+
+void BlendSheet::check_room(const DirectedEdge& half, const SetbackSide& path) const {
+  const RolledContact in_face{path.face, {}, Handle(Geom2d_Curve)(path.chart), 0};
+  for (int i = 1; i < kPathSamples; ++i)
+    if (!lies_inside(body_, in_face, static_cast<double>(i) / kPathSamples))
+      refuse(half, FilletFault::Corner,
+             "face " + std::to_string(path.face) + " has no room for its corner: " + too_large());
 }
 
 // Half a strip's section as an edge of the sheet, with its charts on the strip and the fill.
@@ -347,7 +350,9 @@ void BlendSheet::fill_corner(const Ring& ring, const std::vector<SetbackSide>& s
   const auto border = [&](const FillBorder& of) {
     return setback_edge(sides[static_cast<std::size_t>(of.side)], of);
   };
-  for (FillFace& each : fill_faces(made, corners, border))
+  // Where corners at both ends of a strip meet, sections of both have one middle.
+  const auto vertex = [&](const Vec3& point) { return new_vertex(point); };
+  for (FillFace& each : fill_faces(made, corners, vertex, border))
     patches_.push_back({each.face, std::move(each.edges), 0});
   for (const VertexSector& each : ring)
     if (is_filleted(each.half.edge)) turn_path(each.half);
@@ -377,6 +382,7 @@ void BlendSheet::set_back(const Ring& ring) {
     const bool is_strip = is_filleted(half.edge);
     if (is_strip) sides.push_back(section_side_of(half));
     sides.push_back(path_side(ring, i, cuts));
+    check_room(half, sides.back());
     sides.back().from = is_strip ? end_of(half).vertices[left_side(half)] : feet[i];
   }
   fill_corner(ring, sides);

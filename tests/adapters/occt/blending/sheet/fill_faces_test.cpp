@@ -37,7 +37,7 @@ TEST(FillFaces, ShareEachInnerEdgeBothWays) {
     std::vector<TopoDS_Vertex> corners;
     for (const FillSide& side : flat_hole(n)) corners.push_back(vertex_at(projected(side.edge[0])));
     int borders = 0;
-    const auto faces = fill_faces(made, corners, [&](const FillBorder& border) {
+    const auto faces = fill_faces(made, corners, vertex_at, [&](const FillBorder& border) {
       ++borders;
       const TopoDS_Edge edge = edge_on(border.curve, {0, 1}, border.along ? border.from : border.to,
                                        border.along ? border.to : border.from);
