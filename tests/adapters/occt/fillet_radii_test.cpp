@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
 
+#include "adapters/occt/blending/continuity.h"
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/fillet.h"
@@ -212,12 +214,40 @@ TEST(FilletRadii, KeepToTheirEdgesWhereOneKindComesFirst) {
   expect_sound(made);
   const std::map<int, double> radii = radii_of(made);
   for (const auto& [edge, of] : own) EXPECT_NEAR(radii.at(edge), of.radius, 1e-12) << edge;
+}
 
-  own[along_y].radius = 0.7;
-  const FilletResult other = fillet(angle, {inner, along_x, along_y, far}, {.own = own});
-  EXPECT_TRUE(other.solids.empty());
-  ASSERT_EQ(other.refused.size(), 1U);
-  EXPECT_NE(told(other).find("cannot have two radii"), std::string::npos) << told(other);
+// Two of one kind that would go on smoothly in each other over the end of the third, but for their
+// radii: all three end before the corner. Where the third is much the larger one, the face that
+// turns by three quarters of a circle grows over what that fills.
+TEST(FilletRadii, OfBothKindsThatAllDifferLeaveACornerThatIsFilled) {
+  const TopoDS_Shape angle =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10., 10., 10.).Shape(),
+                      BRepPrimAPI_MakeBox(gp_Pnt(5, 5, -1), 6, 6, 12).Shape())
+          .Shape();
+  const int inner = edge_at(angle, {5, 5, 5});
+  const int along_x = edge_at(angle, {7.5, 5, 10}), along_y = edge_at(angle, {5, 7.5, 10});
+  for (const double of_inner : {0.5, 1.0, 2.0}) {
+    std::map<int, EdgeRadius> own{{inner, {of_inner}}, {along_x, {0.5}}, {along_y, {0.4}}};
+
+    const FilletResult made = fillet(angle, {inner, along_x, along_y}, {.own = own});
+
+    expect_sound(made);
+    const std::map<int, double> radii = radii_of(made);
+    for (const auto& [edge, of] : own) EXPECT_NEAR(radii.at(edge), of.radius, 1e-12) << edge;
+    const FilletedSolid& solid = made.solids.front();
+    TopTools_IndexedMapOfShape numbers;
+    TopExp::MapShapes(solid.solid, TopAbs_FACE, numbers);
+    std::set<int> of_corner;
+    for (const FilletFace& each : solid.faces)
+      if (each.from == 0 && each.edge == 0) of_corner.insert(numbers.FindIndex(each.face));
+    EXPECT_GE(of_corner.size(), 6U);
+    for (const EdgeContinuity& each : edge_continuity(solid.solid)) {
+      if (!each.found ||
+          (of_corner.count(each.faces[0]) == 0 && of_corner.count(each.faces[1]) == 0))
+        continue;
+      EXPECT_LT(each.found->angle.value, 1e-6) << each.number;
+    }
+  }
 }
 
 TEST(FilletRadii, TooLargeIsToldOfTheEdgeThatHasIt) {

@@ -2,6 +2,7 @@
 #include "adapters/occt/blending/sheet/corner_path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -38,6 +39,15 @@ Vec2 near_to(const Handle(Geom_Surface) & surface, Vec2 place, const Vec2& other
   return place;
 }
 
+// How far two lines through points, along unit directions, go until they are nearest to each other;
+// 0 for both where that is behind one of the points.
+std::array<double, 2> ways_to_meet(const Vec3& a, const Vec3& along_a, const Vec3& b,
+                                   const Vec3& along_b) {
+  const double c = dot(along_a, along_b), p = dot(along_a, a - b), q = dot(along_b, a - b);
+  const double s = (c * q - p) / (1 - c * c), t = (q - c * p) / (1 - c * c);
+  return s > 0 && t > 0 ? std::array{s, t} : std::array{0.0, 0.0};
+}
+
 bool is_contact(const PathEnd& end) { return norm(end.ahead) > 0; }
 
 }  // namespace
@@ -52,9 +62,11 @@ Handle(Geom2d_BezierCurve)
     const Vec3 out = unit(in_space(surface, a, from.ahead));
     const Vec3 in = -unit(in_space(surface, b, to.ahead));
     const double turn = std::atan2(norm(cross(out, in)), dot(out, in));
-    const bool meet = from.leg > 0 && to.leg > 0;
-    poles[1] = a + handle(turn, meet ? from.leg : 0, chord) * from.ahead;
-    poles[2] = b + handle(turn, meet ? to.leg : 0, chord) * to.ahead;
+    std::array legs{from.leg, to.leg};
+    if (legs[0] <= 0 || legs[1] <= 0)
+      legs = ways_to_meet({start.X(), start.Y(), start.Z()}, out, {end.X(), end.Y(), end.Z()}, -in);
+    poles[1] = a + handle(turn, legs[0], chord) * from.ahead;
+    poles[2] = b + handle(turn, legs[1], chord) * to.ahead;
   } else if (is_contact(from) || is_contact(to)) {
     // A parabola whose tangents meet half the way to the edge.
     const PathEnd& contact = is_contact(from) ? from : to;

@@ -16,7 +16,7 @@ struct PathEnd {
   /// Along the contact towards the corner, of unit length in space; 0 for any direction.
   Vec2 ahead{};
   /// The way to where the contact meets the other one, or the edge at the other end; 0 if it does
-  /// not, or behind. Model units.
+  /// not, or behind: between contacts then that to where their tangents meet. Model units.
   double leg = 0;
 };
 

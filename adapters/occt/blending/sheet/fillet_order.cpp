@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/blending/strips/run_profiles.h"
 
 namespace blossom::occt {
 namespace {
@@ -40,6 +40,13 @@ class Order {
   std::vector<std::size_t> classes_;  // by place
   Rules before_, before_asked_;       // by all edges at a vertex, by those that have fillets
 };
+
+// Whether edges do not have all the same ball.
+bool differ(const std::vector<int>& edges, const FilletOptions& options) {
+  return std::ranges::any_of(edges, [&](int each) {
+    return !is_same(options.radius_of(each), options.radius_of(edges.front()));
+  });
+}
 
 // Of three edges that have balls, the one with a larger ball than the two others, whose balls are
 // alike; 0 for none.
@@ -96,7 +103,9 @@ Order::Order(const BodyEdges& body, const FilletEdges& edges, const FilletOption
         if (is_of_kind(body, edges, each.half.edge, concave)) ++of_kind;
         if (is_of_kind(body, edges, each.half.edge, !concave)) ++of_other_kind;
       }
-      if (options.chamfer && alike.size() + others.size() == ring.size()) {
+      const bool has_all = alike.size() + others.size() == ring.size();
+      if ((options.chamfer && has_all) ||
+          (!others.empty() && (differ(alike, options) || differ(others, options)))) {
         for (const std::vector<int>* of : {&alike, &others})
           for (const int each : *of) unite(edge, each);
         continue;

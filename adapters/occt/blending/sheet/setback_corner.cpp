@@ -382,7 +382,11 @@ void BlendSheet::set_back(const Ring& ring) {
     const bool is_strip = is_filleted(half.edge);
     if (is_strip) sides.push_back(section_side_of(half));
     sides.push_back(path_side(ring, i, cuts));
-    check_room(half, sides.back());
+    const DirectedEdge next = ring[(i + 1) % count].half;
+    // A face that turns by more than half a circle between strips grows over what the concave one
+    // fills.
+    const bool grows = is_strip && is_filleted(next.edge) && !is_narrow(body_, ring[i], next);
+    if (!grows) check_room(half, sides.back());
     sides.back().from = is_strip ? end_of(half).vertices[left_side(half)] : feet[i];
   }
   fill_corner(ring, sides);

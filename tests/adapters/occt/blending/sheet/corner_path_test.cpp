@@ -29,6 +29,20 @@ TEST(CornerPath, BetweenTwoLikeContactsTurnsAsACircleDoes) {
   EXPECT_LT(way.Y(), 0);
 }
 
+// Contacts that end before they meet, one much nearer than the other: the path keeps between their
+// tangents and the chord all the same.
+TEST(CornerPath, StaysWithinTheTangentsOfContactsThatEnd) {
+  const Handle(Geom_Plane) plane = new Geom_Plane(gp::XOY());
+  const PathEnd from{{0, 5}, {0, -1}, 0}, to{{0.5, 0}, {-1, 0}, 0};
+  const auto path = corner_path(plane, from, to);
+  for (int i = 1; i < 8; ++i) {
+    const gp_Pnt2d p = path->Value(i / 8.0);
+    EXPECT_GT(p.X(), 0) << i;
+    EXPECT_GT(p.Y(), 0) << i;
+    EXPECT_LT(p.X() / 0.5 + p.Y() / 5, 1) << i;
+  }
+}
+
 TEST(CornerPath, GoesTheShortWayAcrossASeam) {
   const Handle(Geom_CylindricalSurface) cylinder = new Geom_CylindricalSurface(gp::XOY(), 1);
   const PathEnd from{{0.1, 0}}, to{{2 * std::numbers::pi - 0.1, 1}};
