@@ -213,16 +213,18 @@ BallTrack BallTrack::cut_open(double parameter) const {
                    {-1, -1});
 }
 
-double BallTrack::nearest(const Vec3& centre) const {
-  std::size_t best = 0;
-  double least = 1e300;
+double BallTrack::nearest(const Vec3& centre, const Interval& part) const {
+  double low = part.from, high = part.to, p = blossom::at(part, 0.5), least = 1e300;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const double d = distance(at(nodes_[i].parameter).centre, centre);
-    if (d < least) least = d, best = i;
+    const double node = nodes_[i].parameter;
+    if (node < part.from || node > part.to) continue;
+    const double d = distance(at(node).centre, centre);
+    if (d >= least) continue;
+    least = d;
+    p = node;
+    low = std::max(part.from, nodes_[i == 0 ? 0 : i - 1].parameter);
+    high = std::min(part.to, nodes_[std::min(i + 1, nodes_.size() - 1)].parameter);
   }
-  const double low = nodes_[best == 0 ? 0 : best - 1].parameter,
-               high = nodes_[std::min(best + 1, nodes_.size() - 1)].parameter;
-  double p = nodes_[best].parameter;
   constexpr double kLastOfTrack = 1e-15;  // part of the stretch: a few roundings
   for (int step = 0; step < kNearestSteps; ++step) {
     const BallPoint ball = at(p);

@@ -158,7 +158,10 @@ class BallTrack {
   BallBend bend_near(std::size_t support, double parameter, bool after = true) const;
 
   /// The parameter of the ball whose centre is nearest to a point, found from the nearest node.
-  double nearest(const Vec3& centre) const;
+  double nearest(const Vec3& centre) const { return nearest(centre, domain()); }
+
+  /// The same within a part of the track, which may come back to where it was.
+  double nearest(const Vec3& centre, const Interval& part) const;
 
   /// A loop as a track that begins and ends in that one of its nodes which is nearest to a
   /// parameter.

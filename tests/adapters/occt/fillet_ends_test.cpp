@@ -316,6 +316,43 @@ TEST(FilletOfABranch, StripsOfBothSidesEndInOnePoint) {
   EXPECT_NEAR(more(all), more(above) + more(below), 1e-7);
 }
 
+// What small balls of radius 1 would take along the edge of two bores, one round z of radius 6, the
+// other round x of radius 4.5 and 1.5 beside it: per length the corner between tangent planes.
+double taken_at_bores() {
+  return integral(0, 2 * std::numbers::pi, [](double b) {
+    const double y = 1.5 + 4.5 * std::cos(b), x = std::sqrt(std::max(0.0, 36 - y * y));
+    if (x < 1e-9) return 0.0;  // they touch
+    const double half = 0.5 * std::acos(y / 6 * std::cos(b));
+    const double rate = y * 4.5 * std::sin(b) / x;
+    return (std::tan(half) - half) * std::hypot(rate, 4.5);
+  });
+}
+
+// Their edge begins and ends where they touch. The way of the ball crosses itself there, and both
+// of its ends are in that place: each is taken for the end of the edge on its own side.
+TEST(FilletOfTwoBores, BeginsAndEndsInThePlaceWhereTheyTouch) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -15), 20, 20, 30).Shape();
+  const TopoDS_Shape bored =
+      BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -20}, gp::DZ()), 6, 40).Shape())
+          .Shape();
+  const TopoDS_Shape shape =
+      BRepAlgoAPI_Cut(bored,
+                      BRepPrimAPI_MakeCylinder(gp_Ax2({0, 1.5, 0}, gp::DX()), 4.5, 20).Shape())
+          .Shape();
+  const auto edges = edges_where(shape, EdgeKind::Convex, [](const Vec3& at) {
+    return std::hypot(at[0], at[1]) < 6.1 && std::abs(at[2]) < 5;
+  });
+  ASSERT_FALSE(edges.empty());
+  const double taken = taken_at_bores();
+  for (const double r : {0.05, 0.3, 0.4, 1.0}) {
+    const FilletResult made = fillet(shape, edges, {.radius = r});
+    testing::expect_sound(made);
+    ASSERT_EQ(made.solids.size(), 1U);
+    const double less = made.volume_before - made.solids.front().volume;
+    EXPECT_NEAR(less / (r * r), taken, 0.1 * r * taken) << r;
+  }
+}
+
 // What strips of radius r add round the foot of three upright sides and a slope of 15 over 20, and
 // take away inside out. The ball touches the slope lower than the sides, so that strips of both
 // meet in mitres.

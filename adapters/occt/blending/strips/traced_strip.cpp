@@ -298,9 +298,12 @@ RolledStrip Tracing::strip(const Interval& wanted) const {
 
 // The strip beside the edge, with some room past its ends.
 RolledStrip Tracing::beside_edge(double beyond) {
-  const double start = track->nearest(point_of(body.vertex({edge, true})));
-  const double end = track->nearest(point_of(body.vertex({edge, false})));
-  turned = end < start;
+  // Each end of the edge on its own side of the middle: a ball on its way round may come through
+  // one place twice, as it does where faces touch in a vertex and its way crosses itself.
+  const double middle = track->nearest(supports.middle);
+  const Interval before{track->domain().from, middle}, after{middle, track->domain().to};
+  const double start = track->nearest(point_of(body.vertex({edge, true})), turned ? after : before);
+  const double end = track->nearest(point_of(body.vertex({edge, false})), turned ? before : after);
   const Interval between{std::min(start, end), std::max(start, end)};
   near_at = at(between, 0.5);
   find_valid(near_at);

@@ -220,6 +220,9 @@ TEST(BallTrack, FindsTheBallNearestToAPoint) {
   ASSERT_TRUE(track);
   const double s = at(track->domain(), 0.3141);
   EXPECT_NEAR(track->nearest(track->at(s).centre), s, 1e-12);
+  EXPECT_NEAR(track->nearest(track->at(s).centre, {s - 1e-3, s + 1e-3}), s, 1e-12);
+  EXPECT_EQ(track->nearest(track->at(s).centre, {track->domain().from, s - 1e-3}), s - 1e-3);
+  EXPECT_EQ(track->nearest(track->at(s).centre, {s + 1e-3, track->domain().to}), s + 1e-3);
 }
 
 TEST(BallTrack, IsFollowedFarFromTheOrigin) {
