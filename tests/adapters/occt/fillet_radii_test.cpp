@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -250,6 +251,23 @@ TEST(FilletRadii, OfBothKindsThatAllDifferLeaveACornerThatIsFilled) {
   }
 }
 
+// Radii that change along edges do so from each end of one to that of the next.
+TEST(FilletRadii, ThatChangeAlongAllEdgesOfAnAngle) {
+  const TopoDS_Shape angle =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10., 10., 10.).Shape(),
+                      BRepPrimAPI_MakeBox(gp_Pnt(5, 5, -1), 6, 6, 12).Shape())
+          .Shape();
+  std::vector<int> edges(18);
+  std::iota(edges.begin(), edges.end(), 1);
+  FilletOptions options;
+  options.law = RadiusLaw::linear({0, 1}, 0.6, 0.3);
+
+  const FilletResult made = fillet(angle, edges, options);
+
+  expect_sound(made);
+  EXPECT_EQ(made.edges.size(), 18U);
+}
+
 TEST(FilletRadii, TooLargeIsToldOfTheEdgeThatHasIt) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
   const int low = edge_at(box, {0, 0, 5}), high = edge_at(box, {10, 10, 5});
@@ -308,8 +326,8 @@ TEST(FilletRadii, AskForWhatMakesSense) {
 }
 
 // A blind hole in the side of a rod, a little off its middle: beside it the wall is 3.7 thick on
-// one side. Balls of more than half of that do not go through there, but come round behind the bottom
-// of the hole: that way is none along the rim.
+// one side. Balls of more than half of that do not go through there, but come round behind the
+// bottom of the hole: that way is none along the rim.
 TEST(FilletOfARimBesideAThinWall, IsRefusedForBallsThatDoNotGoThrough) {
   const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(8.464, 40).Shape();
   const gp_Ax2 axis(gp_Pnt(0, -0.13, 20), gp_Dir(1, 0, 0));

@@ -41,10 +41,12 @@ class Order {
   Rules before_, before_asked_;       // by all edges at a vertex, by those that have fillets
 };
 
-// Whether edges do not have all the same ball.
+// Whether edges do not have all the same ball; radii that change along edges are unlike where these
+// meet.
 bool differ(const std::vector<int>& edges, const FilletOptions& options) {
   return std::ranges::any_of(edges, [&](int each) {
-    return !is_same(options.radius_of(each), options.radius_of(edges.front()));
+    const EdgeRadius of = options.radius_of(each);
+    return !is_same(of, options.radius_of(edges.front())) || (of.law && edges.size() > 1);
   });
 }
 
