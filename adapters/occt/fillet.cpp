@@ -202,7 +202,9 @@ void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
     if (!found) return;
     why.largest = found->radius;
     why.of_chamfer = options.chamfer.has_value();
-    if (!found->stopped.empty()) why.tried = "; larger balls are stopped by " + found->stopped;
+    if (!found->stopped.empty())
+      why.tried = std::string("; larger ") + (options.chamfer ? "distances" : "balls") +
+                  " are stopped by " + found->stopped;
     if (changed->edge > 0 && changed->edge != why.edge)
       why.tried += "; smaller radii of edge " + std::to_string(changed->edge) +
                    " were tried, while others kept theirs";

@@ -321,5 +321,16 @@ TEST(ChamferRefuses, WithTheLargestDistanceThatWorks) {
   }
 }
 
+TEST(ChamferRefuses, ToldWhatStopsLargerDistances) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10., 20., 20.).Shape();
+  const FilletResult made = chamfered(box, sharp_edges(box), 6);
+  ASSERT_EQ(made.refused.size(), 1U);
+  const FilletRefusal& why = made.refused.front();
+  ASSERT_TRUE(why.largest) << why.text();
+  EXPECT_NEAR(*why.largest, 5, 1e-3);
+  EXPECT_NE(why.text().find("; larger distances are stopped by another blend"), std::string::npos)
+      << why.text();
+}
+
 }  // namespace
 }  // namespace blossom::occt
