@@ -83,9 +83,9 @@ TEST(DirectionCones, PartsAtAPoleAreNoFartherApartThanTheirRounding) {
     return meet_in_pole_only({a, {0, 1}, {0, 1}, PoleSide::LowU},
                              {b, {0, 1}, {0, 1}, PoleSide::LowU}, {});
   };
-  EXPECT_TRUE(are_disjoint(0));
-  EXPECT_TRUE(are_disjoint(1e-6));
-  EXPECT_FALSE(are_disjoint(0.5));
+  EXPECT_TRUE(apart(0));
+  EXPECT_TRUE(apart(1e-6));
+  EXPECT_FALSE(apart(0.5));
 }
 
 }  // namespace
