@@ -184,16 +184,18 @@ void order_at(double distance, std::span<Arm> arms) {
   for (std::size_t i = 0; i < arms.size(); ++i) arms[i] = placed[i].second;
 }
 
-// Orders arms of one direction from right to left. Where they bend alike, too, so that directions
-// do not tell them apart farther on either, half the way along the shortest does, and where that
-// turns back at once a point farther on.
-void order_by_bend(std::span<Arm> arms) {
+// Orders arms of one direction from right to left. As they do not cross, half the way along the
+// shortest tells, if they are farther from each other there than the tolerance; else how they bend,
+// which at the end of a fitted curve is told less well; and if they bend alike, or turn back at
+// once, a point farther on.
+void order_by_bend(std::span<Arm> arms, double tolerance) {
   const Vec2 along = direction_of(arms.front());
   double reach = reach_along(arms.front(), along);
   for (const Arm& arm : arms) reach = std::min(reach, reach_along(arm, along));
   for (Arm& arm : arms)
     if (reach > 0) arm.secant = offset_at(arm, along, 0.5 * reach) / reach;
-  std::sort(arms.begin(), arms.end(), [reach](const Arm& a, const Arm& b) {
+  std::sort(arms.begin(), arms.end(), [reach, tolerance](const Arm& a, const Arm& b) {
+    if (std::abs(a.secant - b.secant) * reach > tolerance) return a.secant < b.secant;
     const double size = std::max(std::abs(a.curvature), std::abs(b.curvature));
     const double apart = std::abs(a.curvature - b.curvature);
     if (apart > kSameDirection * size && (!(reach > 0) || apart * reach > kSameDirection))
@@ -232,7 +234,7 @@ void order(std::vector<Arm>& arms, double tolerance) {
     if (touch > 0 && all_reach)
       order_at(touch, alike);
     else if (!order_beside(alike, tolerance))
-      order_by_bend(alike);
+      order_by_bend(alike, tolerance);
   }
 }
 

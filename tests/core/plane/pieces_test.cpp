@@ -180,6 +180,15 @@ TEST(Pieces, ArmsWithOneDirectionAreOrderedByCurvature) {
   expect_areas(square, {8 - 16.0 / 3, 8.0 / 3, 8.0 / 3});
 }
 
+// It leaves the corner by a fourth power, and bends the other way there by what a fit is off.
+TEST(Pieces, WhereACutGoesCountsMoreThanHowItsFitBendsAtTheVertex) {
+  constexpr double kTolerance = 1e-7, kOff = 1e-6;
+  Square square({{}, {2}, {}, {}});
+  square.cut(0, 4,
+             {{{{0, 0, 1}, {0.8, 0, 1}, {1.6, -kOff, 1}, {2.4, 0, 1}, {3.2, 0, 1}, {4, 2, 1}}}});
+  EXPECT_EQ(pieces(square.arcs, kTolerance).pieces.size(), 2u);
+}
+
 // As over a span of a surface that has the width of rounding: it leaves the square at first.
 TEST(Pieces, FirstStepsAsShortAsRoundingDoNotTellWhereACutGoes) {
   Square square({{2}, {2}, {}, {}});
