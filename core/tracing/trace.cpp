@@ -21,10 +21,13 @@ constexpr double kStraight = 0.9;        // cosine: a tangent farther from its c
 constexpr double kRoundedSine = 1e-6;    // below it derivatives are rounding
 constexpr double kTurned = 1e-6;         // radians: so little branches turn at a node's reach
 constexpr double kMinReach = 1e-3;       // of a link
-constexpr double kBesideValley = 1e-3;   // likewise: half the step of a difference
-constexpr double kNoValley = 1e-3;       // of what tells its direction beside a point: none
-constexpr double kReach = 0.5;           // fraction of a patch
-constexpr double kAtAnAngle = 1e-4;      // sine: from there on Newton's method takes a step or two
+// Half the way to a node the sine is half as large where branches cross in it, and a quarter where
+// they touch: half way between, by orders, which are no hyperbolas.
+constexpr double kFirstOrder = 0.35;
+constexpr double kBesideValley = 1e-3;  // likewise: half the step of a difference
+constexpr double kNoValley = 1e-3;      // of what tells its direction beside a point: none
+constexpr double kReach = 0.5;          // fraction of a patch
+constexpr double kAtAnAngle = 1e-4;     // sine: from there on Newton's method takes a step or two
 constexpr int kStepsBeside = 3;
 constexpr double kPole = 1e-8;  // a derivative this much shorter than the other one is none
 
@@ -136,13 +139,13 @@ void ChainTracer::find_node(std::size_t side, double meets) {
   if (!(gap <= meets && on_link(index, side == 0 ? 0 : 1).sine <= kRoundedSine)) return;
   const double station = side == 0 ? 0 : stations_.back(), most = 0.5 * stations_.back();
   double reach = std::min(kMinReach * (stations_[index + 1] - stations_[index]), most);
-  const auto turns = [&] {
-    return at(std::abs(station - reach), side == 0).sine * reach * kTurned < gap;
-  };
+  const auto sine_at = [&](double s) { return at(std::abs(station - s), side == 0).sine; };
+  const auto turns = [&] { return sine_at(reach) * reach * kTurned < gap; };
   while (turns()) {
     if (reach == most) return;  // no hyperbola: the surfaces are as good as parallel all the way
     reach = std::min(2 * reach, most);
   }
+  if (sine_at(0.5 * reach) < kFirstOrder * sine_at(reach)) return;
   nodes_[side] = {station, apart, reach};
 }
 
