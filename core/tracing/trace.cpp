@@ -21,13 +21,10 @@ constexpr double kStraight = 0.9;        // cosine: a tangent farther from its c
 constexpr double kRoundedSine = 1e-6;    // below it derivatives are rounding
 constexpr double kTurned = 1e-6;         // radians: so little branches turn at a node's reach
 constexpr double kMinReach = 1e-3;       // of a link
-// Half the way to a node the sine is half as large where branches cross in it, and a quarter where
-// they touch: half way between, by orders, which are no hyperbolas.
-constexpr double kFirstOrder = 0.35;
-constexpr double kBesideValley = 1e-3;  // likewise: half the step of a difference
-constexpr double kNoValley = 1e-3;      // of what tells its direction beside a point: none
-constexpr double kReach = 0.5;          // fraction of a patch
-constexpr double kAtAnAngle = 1e-4;     // sine: from there on Newton's method takes a step or two
+constexpr double kBesideValley = 1e-3;   // likewise: half the step of a difference
+constexpr double kNoValley = 1e-3;       // of what tells its direction beside a point: none
+constexpr double kReach = 0.5;           // fraction of a patch
+constexpr double kAtAnAngle = 1e-4;      // sine: from there on Newton's method takes a step or two
 constexpr int kStepsBeside = 3;
 constexpr double kPole = 1e-8;  // a derivative this much shorter than the other one is none
 
@@ -105,7 +102,7 @@ class SurfaceParameters {
 }  // namespace
 
 ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                         const Vec3& origin, const Chain& chain, double meets)
+                         const Vec3& origin, const Chain& chain, double rounding)
     : found_(found), a_(a), b_(b), origin_(origin), chain_(chain) {
   struct LinkPoints {
     Vec3 from, middle, to;
@@ -125,27 +122,27 @@ ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, Surface
     known_points_.push_back(origin + middle);
     stations_.push_back(stations_.back() + std::max(sum, kNotZero));
   }
-  if (chain.closed || !(meets > 0)) return;
-  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) find_node(side, meets);
+  if (chain.closed || !(rounding > 0)) return;
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) find_node(side, rounding);
 }
 
-void ChainTracer::find_node(std::size_t side, double meets) {
+void ChainTracer::find_node(std::size_t side, double rounding) {
   const std::size_t index = side == 0 ? 0 : chain_.links.size() - 1;
   const ChainLink& link = chain_.links[index];
   const FoundArc& arc = found_.arcs[static_cast<std::size_t>(link.arc)];
   if (arc.arc.iso >= 0 || arc.arc.straight || arc.arc.tangential || arc.to_pole) return;
   const Vec3 apart = apart_in(arc, (side == 0) == link.forward ? arc.arc.from : arc.arc.to);
   const double gap = norm(apart);
-  if (!(gap <= meets && on_link(index, side == 0 ? 0 : 1).sine <= kRoundedSine)) return;
+  if (!(gap <= rounding && on_link(index, side == 0 ? 0 : 1).sine <= kRoundedSine)) return;
   const double station = side == 0 ? 0 : stations_.back(), most = 0.5 * stations_.back();
   double reach = std::min(kMinReach * (stations_[index + 1] - stations_[index]), most);
-  const auto sine_at = [&](double s) { return at(std::abs(station - s), side == 0).sine; };
-  const auto turns = [&] { return sine_at(reach) * reach * kTurned < gap; };
+  const auto turns = [&] {
+    return at(std::abs(station - reach), side == 0).sine * reach * kTurned < gap;
+  };
   while (turns()) {
     if (reach == most) return;  // no hyperbola: the surfaces are as good as parallel all the way
     reach = std::min(2 * reach, most);
   }
-  if (sine_at(0.5 * reach) < kFirstOrder * sine_at(reach)) return;
   nodes_[side] = {station, apart, reach};
 }
 

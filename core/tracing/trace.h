@@ -5,11 +5,11 @@
 // there is exactly one point, which Newton's method finds. So tracing needs no marching and
 // cannot jump to another branch.
 //
-// In a node the surfaces meet, but for a part of the tolerance. Where they are apart by e the
-// branches beside it are hyperbolas: at a distance s they are e / sine off what leads into the
-// node, and turn away from it by e / (s sine), the sine being that between the surfaces. So on the
-// way to a node the points are such that are apart as those of the node are, ever less with the
-// distance: these lie on branches that meet in it.
+// In a node the surfaces meet but for rounding. Where they are apart by e the branches beside it
+// are hyperbolas: at a distance s they are e / sine off what leads into the node, and turn away
+// from it by e / (s sine), the sine being that between the surfaces. So on the way to a node the
+// points are such that are apart as those of the node are, ever less with the distance: these lie
+// on branches that meet in it.
 
 #pragma once
 
@@ -42,9 +42,9 @@ struct CrossingPoint {
 
 class ChainTracer {
  public:
-  /// meets   model units: surfaces that are so far apart in a node meet in it
+  /// rounding   model units: surfaces that are so far apart in a node meet in it
   ChainTracer(const PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, const Vec3& origin,
-              const Chain& chain, double meets = 0);
+              const Chain& chain, double rounding = 0);
 
   /// Rough length of the chain, and where each link begins on it: links + 1 values, from 0.
   const std::vector<double>& stations() const { return stations_; }
@@ -80,7 +80,7 @@ class ChainTracer {
     Vec3 value, first, second;
   };
 
-  void find_node(std::size_t side, double meets);
+  void find_node(std::size_t side, double rounding);
   Vec3 apart_in(const FoundArc& arc, const Point4& x) const;
   Apart apart_at(double station) const;
   std::size_t link_at(double station, bool after) const;

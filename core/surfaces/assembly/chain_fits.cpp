@@ -16,9 +16,9 @@ namespace {
 constexpr double kPoint = 1e-12;         // of the size: so long is what stays in a cone's apex
 constexpr std::size_t kFitsAtOnce = 32;  // chains, until it is asked whether to go on
 
-// Tolerances: surfaces that are so little apart in a node meet in it. What leads into it is as far
-// off both of them there, which may be as much as a fitted curve is. A choice.
-constexpr double kMeets = 0.1;
+// Surfaces that are so little apart in a node meet in it: at the smallest angles that curves are
+// fitted for, 1e-3 radians, this is 0.1 tolerances beside them.
+constexpr double kRounding = 1e-4;
 
 // A curve that leaves the surfaces by so many tolerances and so much of their size is none.
 constexpr double kWorst = 100;
@@ -34,7 +34,7 @@ bool any_arc(const PairSearchResult& found, const Chain& chain, bool CellArc::*m
 std::optional<IntersectionCurve> fitted_chain(const FitContext& context, const Chain& chain) {
   const double tolerance = context.tolerance;
   const ChainTracer tracer(context.found, context.cells_a, context.cells_b, context.origin, chain,
-                           kMeets * tolerance);
+                           kRounding * tolerance);
   const double length = tracer.stations().back();
   const bool is_short = length <= kShortestBranch * tolerance;
   const bool is_point = length <= kPoint * context.size;

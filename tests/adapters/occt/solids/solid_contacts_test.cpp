@@ -21,12 +21,9 @@
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
-#include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRepPrimAPI_MakeTorus.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Dir.hxx>
 #include <gp_Pnt.hxx>
@@ -131,28 +128,6 @@ TEST(TrimSolidsNearlyInContact, IsRightOrRefusedBeyondTheTolerance) {
     const double found = fused.obstacles.empty() ? fused.volumes.back().fuse : 2;
     EXPECT_NEAR(found, 2, std::abs(off));
   }
-}
-
-// A tube on a ring of its own radius, off by what angles in degrees are rounded to and a little
-// more: in the two nodes the surfaces are apart by a part of the tolerance.
-TEST(TrimSolidsNearlyInContact, TubesOfOneRadiusCrossInNodes) {
-  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(2, 0.5).Shape();
-  const gp_Ax2 across(gp_Pnt(), gp_Dir(0, 1, 0), gp_Dir(1, 0, 0));
-  const TopoDS_Shape tube = BRepPrimAPI_MakeCylinder(across, 0.5, 4).Shape();
-  const auto common_when_turned = [&](const gp_Dir& axis, double angle) {
-    gp_Trsf turn;
-    if (angle != 0) turn.SetRotation(gp_Ax1(gp_Pnt(), axis), angle);
-    const TopoDS_Shape turned = BRepBuilderAPI_Transform(tube, turn, true).Shape();
-    const SolidTrimResult made =
-        trim_solids(trim_tool(ring), {trim_tool(turned)}, SolidOperation::Common);
-    EXPECT_TRUE(made.obstacles.empty()) << made.obstacles.front();
-    return made.total.result;
-  };
-  const double exact = common_when_turned({0, 0, 1}, 0);
-  EXPECT_NEAR(exact, 0.672706, 1e-6);
-  for (const double angle : {1e-10, 5e-10, 1e-9})
-    for (const gp_Dir& axis : {gp_Dir(1, 0, 0), gp_Dir(1, 1, 1)})
-      EXPECT_NEAR(common_when_turned(axis, angle), exact, 1e-6) << angle;
 }
 
 // The node lies on lines between the spans that arcs are cut into, beside which it looks like a
