@@ -331,6 +331,26 @@ bool is_inside_by_periods(const FaceTrims& trims, const Vec2& uv) {
   return false;
 }
 
+std::optional<WirePlace> wire_near(const FaceTrims& trims, const Vec2& uv, double reach) {
+  const Vec2 point{uv[0] * trims.scale[0], uv[1] * trims.scale[1]};
+  std::optional<WirePlace> found;
+  const auto look_at = [&](const Coedge& coedge, const Vec2& moved) {
+    const double most = reach + coedge.tolerance;
+    const PlanarBox near = grown({moved, moved}, most);
+    if (std::ranges::all_of(coedge.boxes,
+                            [&](const PlanarBox& box) { return are_disjoint(box, near); }))
+      return;
+    const PlanarFoot foot = nearest(coedge.curve, moved);
+    if (foot.distance <= most && (!found || foot.distance < found->distance))
+      found = WirePlace{&coedge, foot.parameter, foot.distance};
+  };
+  for (const double turn_u : turns(trims.period[0]))
+    for (const double turn_v : turns(trims.period[1]))
+      for (const auto& loop : trims.loops)
+        for (const Coedge& coedge : loop) look_at(coedge, point + Vec2{turn_u, turn_v});
+  return found;
+}
+
 std::optional<TrimPlace> border_at(const FaceTrims& trims, const Vec2& uv) {
   const Vec2 point{uv[0] * trims.scale[0], uv[1] * trims.scale[1]};
   for (const double turn_u : turns(trims.period[0]))

@@ -126,6 +126,17 @@ const Coedge* coedge_near(const FaceTrims& trims, const PlanarBox& box, double m
 const Coedge* coedge_at(const FaceTrims& trims, const Vec2& point,
                         Wires wires = Wires::WithTolerances);
 
+/// The place of a wire next to a point.
+struct WirePlace {
+  const Coedge* coedge = nullptr;
+  double parameter = 0;  ///< of the edge
+  double distance = 0;   ///< chart coordinates
+};
+
+/// The nearest place of all wires within `reach` and the tolerance of its edge; nothing off them.
+/// uv        the surface's own parameters; whole periods do not matter
+std::optional<WirePlace> wire_near(const FaceTrims& trims, const Vec2& uv, double reach);
+
 /// A place on the border of a face.
 struct TrimPlace {
   const Coedge* coedge = nullptr;

@@ -81,6 +81,51 @@ TEST(ShallowEnds, LeaveTheRoomOfOtherParts) {
   std::vector<Interval> parts{{0.5, wrong}, {kCrossing - 1e-4, 3.5}};
   move_shallow_ends(line_off_by(4e-9, 4e-9), a, &b, kOnWire, parts);
   EXPECT_EQ(parts[0].to, wrong) << "the place lies in the next part";
+  EXPECT_NEAR(parts[1].from, kCrossing, 1e-8) << "which begins there";
+}
+
+// The side of the square runs along the other plane but for rounding: no place of it is told by
+// where it goes through.
+TEST(ShallowEnds, StayWhereTheWireRunsAlongTheOtherSurface) {
+  const FaceTrims a = square();
+  for (const double tilt : {0.0, 1e-16, -3e-16, 2e-15, 1e-12}) {
+    FaceTrims b = upright();
+    b.jet = [tilt](const Vec2& uv) {
+      return SurfaceJet{{uv[0], tilt * (uv[0] - kCrossing), uv[1]}, {1, tilt, 0}, {0, 0, 1}};
+    };
+    const auto jet = [](double x) {
+      return HermiteJet{{{x, 0, 0}, {x, 0}, {x, 0}}, {{1, 0, 0}, {1, 0}, {1, 0}}};
+    };
+    IntersectionCurve curve = hermite_curve({jet(-1), jet(2), jet(5)}, {-1, 5});
+    curve.deviation = {1e-12, 0, 1e-12};
+    std::vector<Interval> parts{{0.5, 3.25}};
+    move_shallow_ends(curve, a, &b, kOnWire, parts);
+    EXPECT_EQ(parts.front(), (Interval{0.5, 3.25})) << tilt;
+  }
+}
+
+// It crosses the side twice, 0.02 apart: each end keeps to its own place.
+TEST(ShallowEnds, DoNotGoToTheNextPlace) {
+  const FaceTrims a = square();
+  constexpr double kBend = 1e-3, kHalf = 0.01, kOff = 4e-9;  // y = bend ((x - 2)^2 - half^2)
+  FaceTrims b = upright();
+  b.jet = [](const Vec2& uv) {
+    const double x = uv[0] - kCrossing;
+    return SurfaceJet{
+        {uv[0], kBend * (x * x - kHalf * kHalf), uv[1]}, {1, 2 * kBend * x, 0}, {0, 0, 1}};
+  };
+  const auto jet = [](double x) {
+    const double s = x - kCrossing, y = kBend * (s * s - kHalf * kHalf) + kOff,
+                 slope = 2 * kBend * s;
+    return HermiteJet{{{x, y, 0}, {x, y}, {x, 0}}, {{1, slope, 0}, {1, slope}, {1, 0}}};
+  };
+  IntersectionCurve curve = hermite_curve({jet(-1), jet(1), jet(3), jet(5)}, {-1, 5});
+  curve.deviation = {kOff, 0, kOff};
+  const double wrong = kOff / (2 * kBend * kHalf);
+  std::vector<Interval> parts{{0.5, kCrossing - kHalf + wrong}, {kCrossing + kHalf - wrong, 3.5}};
+  move_shallow_ends(curve, a, &b, kOnWire, parts);
+  EXPECT_NEAR(parts[0].to, kCrossing - kHalf, 1e-7);
+  EXPECT_NEAR(parts[1].from, kCrossing + kHalf, 1e-7);
 }
 
 }  // namespace
