@@ -2,28 +2,45 @@
 #include "plugin/cli/batch/libraries.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
-#include <string_view>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/exchange/contents.h"
 #include "adapters/occt/exchange/modules.h"
 #include "plugin/meshes/mesh_libraries.h"
 
 namespace blossom::cli {
 namespace {
 
-constexpr std::array<std::string_view, 10> kExchanged = {
-    ".step", ".stp", ".iges", ".igs", ".stepz", ".stpz", ".igesz", ".igsz", ".zip", ".glb"};
-
-// Of FILE in FILE#FACES, without that of packing.
-std::string format_ending(const std::string& word) {
+// Of FILE in FILE#FACES, in small letters, without the ending of packing.
+std::filesystem::path unpacked_name(const std::string& word) {
   std::string name = word.substr(0, word.find('#'));
   std::ranges::transform(name, name.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::filesystem::path file(name);
-  return (file.extension() == ".gz" ? file.stem() : file).extension().string();
+  const std::string ending = file.extension().string();
+  if (ending == ".gz") return file.stem();
+  if (ending.ends_with('z')) name.pop_back();
+  return name;
+}
+
+bool is_exchanged(const std::filesystem::path& file) {
+  if (file.extension() == ".zip") return true;
+  try {
+    return occt::format_of(file) != occt::Format::Brep;
+  } catch (const occt::BadModel&) {  // most words are no files
+    return false;
+  }
+}
+
+bool succeeds(const std::function<void()>& load) {
+  try {
+    load();
+    return true;
+  } catch (const occt::Failure&) {  // told by the job
+    return false;
+  }
 }
 
 }  // namespace
@@ -31,26 +48,25 @@ std::string format_ending(const std::string& word) {
 Libraries libraries_for(const std::vector<std::string>& arguments) {
   Libraries wanted;
   for (const std::string& word : arguments) {
-    const std::string ending = format_ending(word);
-    wanted.exchange = wanted.exchange || std::ranges::find(kExchanged, ending) != kExchanged.end();
-    wanted.three_mf = wanted.three_mf || ending == ".3mf";
+    const std::filesystem::path file = unpacked_name(word);
+    wanted.exchange = wanted.exchange || is_exchanged(file);
+    wanted.three_mf = wanted.three_mf || file.extension() == ".3mf";
   }
   return wanted;
 }
 
-void load(const Libraries& wanted, Libraries& loaded) {
-  try {
-    if (wanted.exchange && !loaded.exchange) {
-      loaded.exchange = true;
-      occt::step_module();
-      occt::document_module();
-    }
-    if (wanted.three_mf && !loaded.three_mf) {
-      loaded.three_mf = true;
-      meshes::load_three_mf();
-    }
-  } catch (const occt::Failure&) {  // told by the job
+const LibraryLoaders& own_libraries() {
+  static const LibraryLoaders own{[] { occt::step_module(); }, [] { occt::document_module(); },
+                                  meshes::load_three_mf};
+  return own;
+}
+
+void load(const Libraries& wanted, Libraries& loaded, const LibraryLoaders& by) {
+  if (wanted.exchange && !loaded.exchange) {
+    const bool step = succeeds(by.step), documents = succeeds(by.documents);
+    loaded.exchange = step && documents;
   }
+  if (wanted.three_mf && !loaded.three_mf) loaded.three_mf = succeeds(by.three_mf);
 }
 
 }  // namespace blossom::cli

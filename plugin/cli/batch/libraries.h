@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,17 @@ struct Libraries {
 /// are STEP.
 Libraries libraries_for(const std::vector<std::string>& arguments);
 
-/// Loads what is wanted and not loaded, which is noted. What cannot be loaded is left to the jobs,
-/// which say so.
-void load(const Libraries& wanted, Libraries& loaded);
+/// What loads each, and does nothing if it is loaded.
+struct LibraryLoaders {
+  std::function<void()> step, documents;  ///< both of `exchange`
+  std::function<void()> three_mf;
+};
+
+/// Those of the program.
+const LibraryLoaders& own_libraries();
+
+/// Loads what is wanted and not loaded, each whatever becomes of the others, and notes what is.
+/// What cannot be loaded is left to the jobs, which say so, and tried again for the next one.
+void load(const Libraries& wanted, Libraries& loaded, const LibraryLoaders& by = own_libraries());
 
 }  // namespace blossom::cli

@@ -5,6 +5,7 @@
 #include "plugin/cli/batch/driver.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -13,11 +14,15 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <new>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "adapters/occt/base/errors.h"
 #include "plugin/cli/batch/libraries.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/process/supervision.h"
@@ -32,6 +37,11 @@ void ask_for_much(const std::string& function) {
   void* memory = nullptr;
   if (function == "malloc") memory = std::malloc(kMuch);
   if (function == "aligned_alloc") memory = std::aligned_alloc(kLine, kMuch);
+  if (function == "memalign") memory = memalign(kLine, kMuch);
+  // Which glibc takes as the next power of 2.
+  if (function == "memalign to 48") memory = memalign(48, kMuch);
+  if (function == "valloc") memory = valloc(kMuch);
+  if (function == "pvalloc") memory = pvalloc(kMuch);
   if (function == "posix_memalign" && posix_memalign(&memory, kLine, kMuch) != 0) memory = nullptr;
   void* volatile const made = memory;
   std::free(made);
@@ -61,11 +71,50 @@ int on_demand(int argc, char** argv) try {
 
 TEST(BatchLibraries, FollowFromTheEndingsOfAJobsWordsAlsoOfPackedFiles) {
   for (const char* word : {"a.step", "a.STP", "a.igs", "a.iges", "a.stp.gz", "a.stpZ", "a.zip",
-                           "b.glb", "a.step#1-3", "a.Step.GZ#Bolt"})
+                           "b.glb", "a.igsz", "a.IGES.gz", "a.step#1-3", "a.Step.GZ#Bolt"})
     EXPECT_EQ(libraries_for({"check", word}), (Libraries{true, false})) << word;
   EXPECT_EQ(libraries_for({"convert", "a.brep", "-o", "b.3mf"}), (Libraries{false, true}));
   EXPECT_EQ(libraries_for({"convert", "a.stp.gz", "-o", "b.3MF"}), (Libraries{true, true}));
-  EXPECT_EQ(libraries_for({"check", "a.brep", "b.brep.gz", "step", "c.stl"}), Libraries{});
+  EXPECT_EQ(libraries_for({"check", "a.brep", "b.brep.gz", "b.brepz", "step", "c.stl"}),
+            Libraries{});
+}
+
+// Counts calls; those of what is missing fail.
+struct CountedLoaders {
+  std::map<std::string, int> calls;
+  std::set<std::string> missing;
+
+  std::function<void()> of(const std::string& name) {
+    return [this, name] {
+      ++calls[name];
+      if (missing.contains(name)) throw occt::Failure(name + " is missing");
+    };
+  }
+  LibraryLoaders all() { return {of("step"), of("documents"), of("3mf")}; }
+};
+
+TEST(BatchLibraries, AreLoadedOnceAndOnlyWhenWanted) {
+  CountedLoaders counted;
+  Libraries loaded;
+  load({}, loaded, counted.all());
+  EXPECT_TRUE(counted.calls.empty());
+  for (int job = 0; job < 3; ++job) load({true, false}, loaded, counted.all());
+  EXPECT_EQ(counted.calls, (std::map<std::string, int>{{"step", 1}, {"documents", 1}}));
+  for (int job = 0; job < 3; ++job) load({true, true}, loaded, counted.all());
+  EXPECT_EQ(counted.calls, (std::map<std::string, int>{{"step", 1}, {"documents", 1}, {"3mf", 1}}));
+}
+
+TEST(BatchLibraries, AreLoadedWhateverElseIsMissingAndAsSoonAsTheyAreThere) {
+  CountedLoaders counted;
+  counted.missing = {"step", "documents"};
+  Libraries loaded;
+  load({true, true}, loaded, counted.all());
+  EXPECT_EQ(counted.calls.size(), 3u);
+  EXPECT_EQ(loaded, (Libraries{false, true}));
+  counted.missing.clear();
+  load({true, true}, loaded, counted.all());
+  EXPECT_EQ(counted.calls["3mf"], 1);
+  EXPECT_EQ(loaded, (Libraries{true, true}));
 }
 
 class BatchDriver : public ::testing::Test {
@@ -159,20 +208,22 @@ TEST_F(BatchDriver, StopsWhatIsBeyondALimitAndDoesTheRest) {
 // Open CASCADE's repairs catch their own want of memory, and what they give is another model.
 #if !defined(__SANITIZE_ADDRESS__)  // which needs more for itself
 TEST_F(BatchDriver, StopsWhatWantedMoreMemoryAndWentOnWithLess) {
-  const std::vector<std::vector<std::string>> jobs = {{"go on with less", "malloc"},
-                                                      {"go on with less", "aligned_alloc"},
-                                                      {"go on with less", "posix_memalign"},
-                                                      {"code", "0"}};
+  std::vector<std::vector<std::string>> jobs;
+  for (const char* function : {"malloc", "aligned_alloc", "memalign", "memalign to 48", "valloc",
+                               "pvalloc", "posix_memalign"})
+    jobs.push_back({"go on with less", function});
+  const std::size_t all = jobs.size();
+  jobs.push_back({"code", "0"});
   for (const Json& without : results_of(jobs)) EXPECT_EQ(without["status"], "done");
   std::filesystem::remove(folder / "results.jsonl");
   policy.setup.megabytes = 500;
   const std::vector<Json> within = results_of(jobs);
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < all; ++k) {
     EXPECT_EQ(within[k]["status"], "stopped") << jobs[k][1];
     EXPECT_EQ(within[k]["messages"][0],
               "blossom: the job was stopped: it wants more memory than its limit");
   }
-  EXPECT_EQ(within[3]["status"], "done");
+  EXPECT_EQ(within[all]["status"], "done");
 }
 #endif
 

@@ -90,6 +90,23 @@ TEST_F(TheProgram, SaysWhichModuleIsMissing) {
   EXPECT_NE(triangles.find("code 1"), std::string::npos) << triangles;
 }
 
+// The loader of glibc tells what is loaded, by whatever process.
+TEST_F(TheProgram, LoadsALibraryOnceForAllJobsOfABatch) {
+  fs::copy(modules(), folder_ / "modules");
+  std::string jobs;
+  for (const char* id : {"1", "2", "3"})
+    jobs += R"({"id": ")" + std::string(id) + R"(", "arguments": ["info", "bowl.step"]})" + "\n";
+  write_text(folder_ / "jobs.jsonl", jobs);
+  const std::string said =
+      output_of("LD_DEBUG=files LD_DEBUG_OUTPUT=" + (folder_ / "ld").string() + " " +
+                (folder_ / "blossom").string() + " batch " + (folder_ / "jobs.jsonl").string() +
+                " -o " + (folder_ / "out.jsonl").string() + " 2>&1");
+  EXPECT_NE(said.find("3 jobs: 3 done"), std::string::npos) << said;
+  const std::string loads = output_of("cat " + (folder_ / "ld").string() +
+                                      ".* | grep -c 'blossom_step.so.*dynamically loaded by'");
+  EXPECT_EQ(loads, "1\n");
+}
+
 TEST_F(TheProgram, GoesOnWithABatchWhileItIsInstalledAnew) {
   constexpr int kJobs = 30;
   fs::copy(modules(), folder_ / "modules");
