@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/index.h"
+#include "core/tessellation/chart_surface.h"
 #include "core/tessellation/charts/elementary_chart.h"
 #include "core/tessellation/charts/jet_enclosure.h"
 #include "core/tessellation/charts/spline_chart.h"
@@ -204,6 +206,45 @@ TEST(SplineChart, CountsAKinkBetweenPatches) {
   EXPECT_NEAR(chart.facet_distance({Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}},
                                    chart.frame_at({0.5, 0}).normal, 0),
               0, 1e-15);
+}
+
+// A strip z = f(u), straight along v, whose second derivative changes from -bend to bend.
+BezierSurface wave(double bend) {
+  RationalBezierPatch patch{Grid<Vec4>(4, 2)};
+  const std::array<double, 4> heights{0, bend / 18, -bend / 18, 0};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 2; ++j) patch.points(i, j) = {i / 3.0, double(j), heights[index(i)], 1};
+  return testing::one_patch(patch);
+}
+
+// A chord over 1 / n of it is off by bend / (8 n^2) at most.
+TEST(SplineChart, HasNoMoreCellsThanFacets) {
+  constexpr double kFine = 1e-3;
+  for (const double facets : {0.5, 0.9, 1.5, 1.9, 2.5, 3.5, 6.5}) {
+    const SplineChart chart(wave(8 * kFine * facets * facets), kFine);
+    EXPECT_LE(chart.u_cells().size() - 1, std::ceil(facets)) << facets;
+    EXPECT_EQ(chart.v_cells().size() - 1, 1u) << facets;
+  }
+}
+
+TEST(ChartSurface, RoughDistanceIsNeverBelowTheBound) {
+  auto random = seeded(8);
+  int above = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    RationalBezierPatch patch{Grid<Vec4>(4, 4)};
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        patch.points(i, j) = {i / 3.0, j / 3.0, uniform(random, -0.3, 0.3), 1};
+    const ChartSurface surface(testing::one_patch(patch), {.deviation = 1e-2});
+    std::array<Vec2, 3> corners;
+    for (Vec2& corner : corners) corner = {uniform(random, 0, 1), uniform(random, 0, 1)};
+    const Vec3 n = surface.frame_at(corners[0]).normal;
+    const double bound = surface.facet_distance(corners, n);
+    const double rough = surface.rough_distance(corners, n);
+    EXPECT_GE(rough, bound);
+    above += rough > bound;
+  }
+  EXPECT_GT(above, 0);  // and is another one
 }
 
 }  // namespace
