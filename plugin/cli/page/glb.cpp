@@ -135,9 +135,9 @@ void add_group(Glb& glb, const PictureFaces& group, std::size_t number,
   for (const SceneMesh& item : meshes) {
     if (item.group != number) continue;
     const auto first = static_cast<std::uint32_t>(points.size());
-    points.insert(points.end(), item.mesh.points.begin(), item.mesh.points.end());
-    for (const Vec3& normal : item.mesh.normals) normals.push_back(some_normal(normal));
-    for (const auto& triangle : item.mesh.triangles)
+    points.insert(points.end(), item.mesh().points.begin(), item.mesh().points.end());
+    for (const Vec3& normal : item.mesh().normals) normals.push_back(some_normal(normal));
+    for (const auto& triangle : item.mesh().triangles)
       for (const int i : triangle) corners.push_back(first + static_cast<std::uint32_t>(i));
   }
   if (corners.empty()) return;

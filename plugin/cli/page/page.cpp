@@ -51,7 +51,7 @@ struct SceneBox {
 SceneBox box_of(const std::vector<SceneMesh>& meshes, const std::vector<PictureLayer>& layers) {
   SceneBox box;
   for (const SceneMesh& item : meshes)
-    for (const Vec3& p : item.mesh.points) box.add(p);
+    for (const Vec3& p : item.mesh().points) box.add(p);
   for (const PictureLayer& layer : layers)
     for (const PictureItem& item : layer.items)
       for (const Vec3& p : item.points) box.add(p);
@@ -104,7 +104,7 @@ Json groups_json(const Picture& picture, const std::vector<SceneMesh>& meshes,
                       {"opacity", group.opacity},
                       {"faces", Json::array()}});
   for (const SceneMesh& item : meshes) {
-    Json face = face_json(item.mesh, box);
+    Json face = face_json(item.mesh(), box);
     const std::vector<std::string>& labels = picture.groups[item.group].labels;
     face["label"] = item.face < labels.size() ? labels[item.face] : "";
     groups[item.group]["faces"].push_back(std::move(face));

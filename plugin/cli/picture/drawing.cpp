@@ -94,10 +94,10 @@ LineLook look_of(LayerStyle style) {
 void add_outlines(Canvas& canvas, const Picture& picture, const std::vector<SceneMesh>& meshes,
                   const View& view, double lift) {
   for (const SceneMesh& item : meshes) {
-    const bool is_filled = item.mesh.obstacle.empty();
-    for (const auto& [from, to] : item.mesh.border) {
+    const bool is_filled = item.mesh().obstacle.empty();
+    for (const auto& [from, to] : item.mesh().border) {
       canvas.lines.push_back(
-          line_of({item.mesh.points[index(from)], item.mesh.points[index(to)]}, view, lift));
+          line_of({item.mesh().points[index(from)], item.mesh().points[index(to)]}, view, lift));
       canvas.lines.back().colour = is_filled ? kOutlineColour : picture.groups[item.group].colour;
       canvas.lines.back().width = (is_filled ? kOutlineWidth : kCurveWidth) * kSamples;
       canvas.lines.back().hidden = 0.12;
@@ -125,7 +125,7 @@ Image picture_image(const Picture& picture, const std::vector<SceneMesh>& meshes
   Canvas canvas{picture.width, picture.height, {}, {}};
   for (const SceneMesh& item : meshes) {
     const PictureFaces& look = picture.groups[item.group];
-    add_mesh(canvas, item.mesh, look, view, depth_behind(picture, look.opacity));
+    add_mesh(canvas, item.mesh(), look, view, depth_behind(picture, look.opacity));
   }
   add_outlines(canvas, picture, meshes, view, lift / 2);
   for (const PictureLayer& layer : all_layers(picture)) add_layer(canvas, layer, view, lift);

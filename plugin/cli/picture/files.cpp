@@ -18,7 +18,7 @@ namespace {
 void report_faces_not_filled(const std::vector<SceneMesh>& meshes) {
   std::map<std::string, std::size_t> faces;  // by the reason
   for (const SceneMesh& item : meshes)
-    if (!item.mesh.obstacle.empty()) ++faces[item.mesh.obstacle];
+    if (!item.mesh().obstacle.empty()) ++faces[item.mesh().obstacle];
   for (const auto& [reason, count] : faces)
     note("the picture shows " + reports::counted(count, "face") + " by edges alone: " + reason);
 }

@@ -54,10 +54,11 @@ std::vector<SceneMesh> scene_meshes(const Picture& picture, double coarseness) {
       kPixels * model_units_per_pixel(picture, faces) * coarseness * coarseness;
   const double angle = std::min(kAngle * coarseness, kLargestAngle);
   std::vector<PictureMesh> meshes = picture_meshes(faces, deviation, angle);
-  for (std::size_t k = 0; k < scene.size(); ++k) scene[k].mesh = std::move(meshes[k]);
+  for (std::size_t k = 0; k < scene.size(); ++k) scene[k].own = std::move(meshes[k]);
   for (std::size_t g = 0; g < picture.groups.size(); ++g) {
     std::size_t face = picture.groups[g].faces.size();
-    for (const PictureMesh& mesh : picture.groups[g].meshes) scene.push_back({mesh, g, face++});
+    for (const PictureMesh& mesh : picture.groups[g].meshes)
+      scene.push_back({{}, g, face++, &mesh});
   }
   return scene;
 }
@@ -65,8 +66,9 @@ std::vector<SceneMesh> scene_meshes(const Picture& picture, double coarseness) {
 std::vector<Vec3> scene_corners(const std::vector<SceneMesh>& meshes) {
   std::vector<Vec3> corners;
   for (const SceneMesh& item : meshes)
-    for (const auto& triangle : item.mesh.triangles)
-      for (const int i : triangle) corners.push_back(item.mesh.points[static_cast<std::size_t>(i)]);
+    for (const auto& triangle : item.mesh().triangles)
+      for (const int i : triangle)
+        corners.push_back(item.mesh().points[static_cast<std::size_t>(i)]);
   return corners;
 }
 

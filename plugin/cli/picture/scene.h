@@ -13,9 +13,12 @@
 namespace blossom::cli {
 
 struct SceneMesh {
-  PictureMesh mesh;
-  std::size_t group = 0;  ///< of the picture
-  std::size_t face = 0;   ///< of the group
+  PictureMesh own;                     ///< of a face
+  std::size_t group = 0;               ///< of the picture
+  std::size_t face = 0;                ///< of the group
+  const PictureMesh* given = nullptr;  ///< one that the picture holds, which outlives this
+
+  const PictureMesh& mesh() const { return given != nullptr ? *given : own; }
 };
 
 /// All faces as triangles that are off by less than a pixel of the picture.
