@@ -29,7 +29,7 @@ class Judge {
       : points_(points), triangles_(triangles), ask_(ask), crossing_(crossing) {}
 
   MeshVerdict verdict() {
-    static_cast<MeshFacts&>(found_) = mesh_facts(points_, triangles_);
+    static_cast<MeshFacts&>(found_) = mesh_facts(points_, triangles_, ask_);
     count_flat();
     count_crossings();
     return std::move(found_);

@@ -11,16 +11,34 @@
 namespace blossom {
 namespace {
 
+constexpr std::size_t kAskAfter = 1 << 16;  // steps: less than a millisecond
+
+// Counts steps of a long work.
+class Asking {
+ public:
+  explicit Asking(const std::function<void()>& ask) : ask_(ask) {}
+
+  void step() {
+    if (ask_ && ++steps_ % kAskAfter == 0) ask_();
+  }
+
+ private:
+  const std::function<void()>& ask_;
+  std::size_t steps_ = 0;
+};
+
 // A side, its lower point first, and the triangle that has it.
 struct SideUse {
   int low, high, triangle;
   bool forward;
 };
 
-std::vector<SideUse> side_uses(std::size_t points, std::span<const std::array<int, 3>> triangles) {
+std::vector<SideUse> side_uses(std::size_t points, std::span<const std::array<int, 3>> triangles,
+                               Asking& asking) {
   std::vector<SideUse> uses;
   uses.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    asking.step();
     for (std::size_t k = 0; k < 3; ++k) {
       const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
       if (a < 0 || index(a) >= points)
@@ -28,45 +46,57 @@ std::vector<SideUse> side_uses(std::size_t points, std::span<const std::array<in
                            ", but there are " + std::to_string(points) + " points");
       if (a != b) uses.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
     }
-  std::ranges::sort(uses, {}, [](const SideUse& use) {
+  }
+  // The projection is what a sort calls all the time.
+  std::ranges::sort(uses, {}, [&](const SideUse& use) {
+    asking.step();
     return std::array{use.low, use.high, use.triangle};
   });
   return uses;
 }
 
-void add_sides(std::size_t points, std::span<const std::array<int, 3>> triangles,
-               MeshFacts& facts) {
-  const std::vector<SideUse> uses = side_uses(points, triangles);
-  DisjointSets parts(triangles.size());
+// Calls `visit` with the uses of each side, and what is faulty of it.
+void for_sides(std::span<const SideUse> uses, Asking& asking, const auto& visit) {
   for (std::size_t first = 0, end = 0; first < uses.size(); first = end) {
+    asking.step();
     std::size_t forward = 0;
     for (end = first; end < uses.size() && uses[end].low == uses[first].low &&
                       uses[end].high == uses[first].high;
-         ++end) {
+         ++end)
       forward += uses[end].forward;
-      parts.join(index(uses[end].triangle), index(uses[first].triangle));
-    }
     const std::size_t count = end - first;
-    const FaultySide side{{uses[first].low, uses[first].high},
-                          count % 2 == 1,
-                          count > 2,
-                          count % 2 == 0 && 2 * forward != count};
+    visit(uses.subspan(first, count), FaultySide{{uses[first].low, uses[first].high},
+                                                 count % 2 == 1,
+                                                 count > 2,
+                                                 count % 2 == 0 && 2 * forward != count});
+  }
+}
+
+void add_sides(std::size_t points, std::span<const std::array<int, 3>> triangles, Asking& asking,
+               MeshFacts& facts) {
+  const std::vector<SideUse> uses = side_uses(points, triangles, asking);
+  DisjointSets parts(triangles.size());
+  for_sides(uses, asking, [&](std::span<const SideUse> of_side, const FaultySide& side) {
+    for (const SideUse& use : of_side)
+      parts.join(index(use.triangle), index(of_side.front().triangle));
     facts.open_sides += side.open;
     facts.crowded_sides += side.crowded;
     facts.turned_sides += side.turned;
-    if (side.open || side.crowded || side.turned) facts.faulty_sides.push_back(side);
-  }
+  });
   for (std::size_t t = 0; t < triangles.size(); ++t) facts.parts += parts.find(t) == t;
 }
 
 }  // namespace
 
-MeshFacts mesh_facts(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles) {
+MeshFacts mesh_facts(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles,
+                     const std::function<void()>& ask) {
   MeshFacts facts;
-  add_sides(points.size(), triangles, facts);
+  Asking asking(ask);
+  add_sides(points.size(), triangles, asking, facts);
   // Far from the origin the volumes of its cones cancel.
   const Vec3 apex = points.empty() ? Vec3{} : points.front();
   for (const std::array<int, 3>& t : triangles) {
+    asking.step();
     const Vec3 a = points[index(t[0])] - apex, b = points[index(t[1])] - apex,
                c = points[index(t[2])] - apex;
     facts.area += 0.5 * norm(cross(b - a, c - a));
@@ -74,6 +104,18 @@ MeshFacts mesh_facts(std::span<const Vec3> points, std::span<const std::array<in
   }
   if (!facts.closed()) facts.volume = 0;
   return facts;
+}
+
+std::vector<FaultySide> faulty_sides(std::size_t points,
+                                     std::span<const std::array<int, 3>> triangles,
+                                     const std::function<void()>& ask) {
+  Asking asking(ask);
+  const std::vector<SideUse> uses = side_uses(points, triangles, asking);
+  std::vector<FaultySide> faulty;
+  for_sides(uses, asking, [&](std::span<const SideUse>, const FaultySide& side) {
+    if (side.open || side.crowded || side.turned) faulty.push_back(side);
+  });
+  return faulty;
 }
 
 }  // namespace blossom

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,7 +29,6 @@ struct MeshFacts {
   double area = 0;
   /// Enclosed where the mesh is closed, negative if it is turned inside out; to rounding.
   double volume = 0;
-  std::vector<FaultySide> faulty_sides{};  ///< all that these count, by their points
 
   /// All sides are gone along as often one way as the other; bodies may share a side.
   bool closed() const { return open_sides == 0 && turned_sides == 0; }
@@ -37,7 +37,14 @@ struct MeshFacts {
 /// points      model units
 /// triangles   three indices of points each, counter-clockwise from outside
 /// throws      InvalidInput if an index is out of range
+/// ask         asked now and then; may throw to end the work
 /// cost        O(n log n) for n triangles
-MeshFacts mesh_facts(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles);
+MeshFacts mesh_facts(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles,
+                     const std::function<void()>& ask = {});
+
+/// All that mesh_facts counts, by their points; to draw them. See mesh_facts.
+std::vector<FaultySide> faulty_sides(std::size_t points,
+                                     std::span<const std::array<int, 3>> triangles,
+                                     const std::function<void()>& ask = {});
 
 }  // namespace blossom

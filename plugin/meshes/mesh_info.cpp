@@ -54,7 +54,9 @@ std::string corner_text(const Vec3& corner) {
 
 }  // namespace
 
-MeshFacts facts_of(const FileMesh& mesh) { return mesh_facts(mesh.points, mesh.triangles); }
+MeshFacts facts_of(const FileMesh& mesh, const std::function<void()>& ask) {
+  return mesh_facts(mesh.points, mesh.triangles, ask);
+}
 
 Json mesh_info_report(const std::string& file, const FileMesh& mesh, const MeshFacts& facts) {
   const Box box = box_of_triangles(mesh);

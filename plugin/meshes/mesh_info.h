@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "core/meshes/mesh_facts.h"
@@ -12,7 +13,7 @@
 namespace blossom::meshes {
 
 /// As mesh_facts of these triangles.
-MeshFacts facts_of(const FileMesh& mesh);
+MeshFacts facts_of(const FileMesh& mesh, const std::function<void()>& ask = {});
 
 reports::Json mesh_info_report(const std::string& file, const FileMesh& mesh,
                                const MeshFacts& facts);

@@ -25,7 +25,7 @@ TEST(MeshFacts, OfATetrahedronAreItsAreaAndVolumeWhereverItIs) {
     EXPECT_EQ(found.parts, 1u);
     EXPECT_NEAR(found.volume, 2, 1e-12 * 2);
     EXPECT_NEAR(found.area, 2 + 3 + 3 + slanted, 1e-11);
-    EXPECT_TRUE(found.faulty_sides.empty());
+    EXPECT_TRUE(faulty_sides(points.size(), kTetrahedron).empty());
   }
 }
 
@@ -36,16 +36,24 @@ TEST(MeshFacts, NameTheSidesThatAreOpen) {
   EXPECT_EQ(found.volume, 0);
   const std::vector<FaultySide> expected = {
       {{0, 2}, true, false, false}, {{0, 3}, true, false, false}, {{2, 3}, true, false, false}};
-  EXPECT_EQ(found.faulty_sides, expected);
+  EXPECT_EQ(faulty_sides(kCorners.size(), open), expected);
 }
 
 TEST(MeshFacts, NameTheSidesThatAreTurnedOrCrowded) {
-  const MeshFacts turned = mesh_facts(kCorners, Triangles{{0, 1, 2}, {0, 1, 3}});
-  EXPECT_EQ(turned.turned_sides, 1u);
-  EXPECT_EQ(turned.faulty_sides.front(), (FaultySide{{0, 1}, false, false, true}));
-  const MeshFacts crowded = mesh_facts(kCorners, Triangles{{0, 1, 2}, {1, 0, 3}, {0, 1, 3}});
-  EXPECT_EQ(crowded.crowded_sides, 1u);
-  EXPECT_EQ(crowded.faulty_sides.front(), (FaultySide{{0, 1}, true, true, false}));
+  const Triangles turned{{0, 1, 2}, {0, 1, 3}}, crowded{{0, 1, 2}, {1, 0, 3}, {0, 1, 3}};
+  EXPECT_EQ(mesh_facts(kCorners, turned).turned_sides, 1u);
+  EXPECT_EQ(faulty_sides(4, turned).front(), (FaultySide{{0, 1}, false, false, true}));
+  EXPECT_EQ(mesh_facts(kCorners, crowded).crowded_sides, 1u);
+  EXPECT_EQ(faulty_sides(4, crowded).front(), (FaultySide{{0, 1}, true, true, false}));
+}
+
+TEST(MeshFacts, StopWithinTheSortWhereTheyAreAskedTo) {
+  Triangles many;  // fewer than what is done between two questions, but not than its sort does
+  for (int k = 0; k < 30000; ++k) many.push_back(kTetrahedron[static_cast<std::size_t>(k % 4)]);
+  struct Stop {};
+  const auto stop = [] { throw Stop{}; };
+  EXPECT_THROW(mesh_facts(kCorners, many, stop), Stop);
+  EXPECT_THROW(faulty_sides(kCorners.size(), many, stop), Stop);
 }
 
 TEST(MeshFacts, RefuseCornersThatAreNotThere) {

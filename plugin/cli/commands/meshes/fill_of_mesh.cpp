@@ -12,7 +12,6 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/meshes/mesh_fill.h"
-#include "plugin/meshes/mesh_info.h"
 #include "plugin/meshes/mesh_parts.h"
 
 namespace blossom::cli {
@@ -32,7 +31,7 @@ Picture fill_picture(const std::string& input, const meshes::FilledMesh& filled)
   for (PictureFaces& group :
        mesh_faces(meshes::chosen_triangles(mesh, filling), "fill", kTouchColour, 1))
     picture.groups.push_back(std::move(group));
-  picture.layers = faulty_side_layers(mesh, meshes::facts_of(mesh));
+  picture.layers = faulty_side_layers(mesh);
   return picture;
 }
 

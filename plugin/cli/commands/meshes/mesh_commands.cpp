@@ -75,19 +75,18 @@ DeepCheck deep_answer(const FileMesh& mesh, const meshes::JudgedMesh& found, dou
   return check;
 }
 
-Picture mesh_picture(const std::string& input, const FileMesh& mesh, const MeshFacts& facts,
-                     const std::string& subtitle) {
+Picture mesh_picture(const std::string& input, const FileMesh& mesh, const std::string& subtitle) {
   Picture picture;
   picture.title = short_name(input);
   picture.subtitle = subtitle;
   picture.groups = mesh_faces(mesh, picture.title, kFirstColour, kFirstOpacity);
-  picture.layers = faulty_side_layers(mesh, facts);
+  picture.layers = faulty_side_layers(mesh);
   return picture;
 }
 
 Picture check_picture(const std::string& input, const FileMesh& mesh,
                       const meshes::JudgedMesh& found) {
-  Picture picture = mesh_picture(input, mesh, found, found.sound() ? "sound" : "not sound");
+  Picture picture = mesh_picture(input, mesh, found.sound() ? "sound" : "not sound");
   PictureLayer crossing{"triangle that crosses another", kCurveColour};
   for (const std::array<int, 2>& pair : found.crossing_pairs)
     for (const std::size_t k : {0u, 1u})
@@ -146,9 +145,9 @@ int run_mesh_info(const std::string& input, bool groups, const CommonOptions& co
   check_files(common, {input});
   const FileMesh mesh = read_mesh_input(input);
   stop_if_interrupted();
-  const MeshFacts facts = meshes::facts_of(mesh);
+  const MeshFacts facts = meshes::facts_of(mesh, stop_if_interrupted);
   const std::vector<PictureFile> pictures = picture_files(
-      common, [&] { return mesh_picture(input, mesh, facts, meshes::enclosed_text(facts)); });
+      common, [&] { return mesh_picture(input, mesh, meshes::enclosed_text(facts)); });
   stop_if_interrupted();
   write_pictures(pictures);
   if (!common.json.empty()) write_json(meshes::mesh_info_report(input, mesh, facts), common.json);
