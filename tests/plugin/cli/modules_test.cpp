@@ -90,7 +90,8 @@ TEST_F(TheProgram, SaysWhichModuleIsMissing) {
   EXPECT_NE(triangles.find("code 1"), std::string::npos) << triangles;
 }
 
-// The loader of glibc tells what is loaded, by whatever process.
+// By what the loader of glibc tells of the batch's own process. Jobs are copies of it, which close
+// that file.
 TEST_F(TheProgram, LoadsALibraryOnceForAllJobsOfABatch) {
   fs::copy(modules(), folder_ / "modules");
   std::string jobs;
