@@ -2,7 +2,9 @@
 #include "core/meshes/mesh_facts.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
+#include <utility>
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/errors.h"
@@ -33,25 +35,33 @@ struct SideUse {
   bool forward;
 };
 
+// Sorted, first by their lower points, of which each has few sides: that needs no comparisons.
 std::vector<SideUse> side_uses(std::size_t points, std::span<const std::array<int, 3>> triangles,
                                Asking& asking) {
-  std::vector<SideUse> uses;
-  uses.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    asking.step();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-      if (a < 0 || index(a) >= points)
-        throw InvalidInput("triangle " + std::to_string(t) + " has corner " + std::to_string(a) +
-                           ", but there are " + std::to_string(points) + " points");
-      if (a != b) uses.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
+  const auto for_uses = [&](const auto& visit) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      asking.step();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
+        if (a < 0 || index(a) >= points)
+          throw InvalidInput("triangle " + std::to_string(t) + " has corner " + std::to_string(a) +
+                             ", but there are " + std::to_string(points) + " points");
+        if (a != b) visit(SideUse{std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
+      }
     }
-  }
-  // The projection is what a sort calls all the time.
-  std::ranges::sort(uses, {}, [&](const SideUse& use) {
-    asking.step();
-    return std::array{use.low, use.high, use.triangle};
-  });
+  };
+  std::vector<std::size_t> ends(points + 1);  // of the uses of each point and those before it
+  for_uses([&](const SideUse& use) { ++ends[index(use.low) + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<SideUse> uses(ends.back());
+  for_uses([&](const SideUse& use) { uses[ends[index(use.low)]++] = use; });
+  std::size_t first = 0;
+  for (std::size_t p = 0; p < points; first = ends[p++])
+    // The projection is what a sort calls all the time.
+    std::ranges::sort(std::span(uses).subspan(first, ends[p] - first), {}, [&](const SideUse& use) {
+      asking.step();
+      return std::pair{use.high, use.triangle};
+    });
   return uses;
 }
 
