@@ -43,27 +43,27 @@ Handle(Geom2d_Curve) border_line(int edge, bool with_parameter) {
 class FillTopology {
  public:
   FillTopology(const Fill& fill, const std::vector<TopoDS_Vertex>& corners,
-               const std::function<TopoDS_Vertex(const Vec3&)>& vertex);
+               const std::function<TopoDS_Vertex(int side, const Vec3&)>& middle);
 
   std::vector<FillFace> faces(const std::function<PathEdge(const FillBorder&)>& border);
 
  private:
   std::size_t patch_of(const QuadEdge& at) const;
   LayoutVertex corner(const QuadEdge& at, int i) const;
+  Vec3 corner_point(const QuadEdge& at, int i) const;
   const TopoDS_Vertex& vertex(const QuadEdge& at, int i);
   void add(const QuadEdge& at, const TopoDS_Edge& edge, bool forward);
   void share(const SharedQuadEdge& shared, int turn);
 
   PolygonLayout layout_;
-  std::function<TopoDS_Vertex(const Vec3&)> made_;
   std::vector<Handle(Geom_BezierSurface)> surfaces_;
   std::vector<FillFace> faces_;
   std::map<std::pair<int, int>, TopoDS_Vertex> vertices_;  // by role and sector
 };
 
 FillTopology::FillTopology(const Fill& fill, const std::vector<TopoDS_Vertex>& corners,
-                           const std::function<TopoDS_Vertex(const Vec3&)>& vertex)
-    : layout_(polygon_layout(fill.layout, static_cast<int>(corners.size()))), made_(vertex) {
+                           const std::function<TopoDS_Vertex(int side, const Vec3&)>& middle)
+    : layout_(polygon_layout(fill.layout, static_cast<int>(corners.size()))) {
   for (const RationalBezierPatch& patch : fill.patches) {
     surfaces_.push_back(to_occt(patch));
     FillFace made;
@@ -73,8 +73,9 @@ FillTopology::FillTopology(const Fill& fill, const std::vector<TopoDS_Vertex>& c
   for (int k = 0; k < layout_.sides; ++k) {
     QuadEdge at = layout_.borders[0];
     at.sector += k;
-    const LayoutVertex place = corner(at, 0);
-    vertices_[{place.role, place.sector}] = corners[static_cast<std::size_t>(k)];
+    const LayoutVertex start = corner(at, 0), half = corner(at, 1);
+    vertices_[{start.role, start.sector}] = corners[static_cast<std::size_t>(k)];
+    vertices_[{half.role, half.sector}] = middle(k, corner_point(at, 1));
   }
 }
 
@@ -92,14 +93,16 @@ LayoutVertex FillTopology::corner(const QuadEdge& at, int i) const {
   return place;
 }
 
+Vec3 FillTopology::corner_point(const QuadEdge& at, int i) const {
+  const int k = (at.edge + i) % 4;
+  const gp_Pnt p = surfaces_[patch_of(at)]->Value(k == 1 || k == 2 ? 1 : 0, k >= 2 ? 1 : 0);
+  return {p.X(), p.Y(), p.Z()};
+}
+
 const TopoDS_Vertex& FillTopology::vertex(const QuadEdge& at, int i) {
   const LayoutVertex place = corner(at, i);
   TopoDS_Vertex& known = vertices_[{place.role, place.sector}];
-  if (known.IsNull()) {
-    const int k = (at.edge + i) % 4;
-    const gp_Pnt p = surfaces_[patch_of(at)]->Value(k == 1 || k == 2 ? 1 : 0, k >= 2 ? 1 : 0);
-    known = made_({p.X(), p.Y(), p.Z()});
-  }
+  if (known.IsNull()) known = vertex_at(corner_point(at, i));
   return known;
 }
 
@@ -145,9 +148,9 @@ std::vector<FillFace> FillTopology::faces(
 }  // namespace
 
 std::vector<FillFace> fill_faces(const Fill& fill, const std::vector<TopoDS_Vertex>& corners,
-                                 const std::function<TopoDS_Vertex(const Vec3&)>& vertex,
+                                 const std::function<TopoDS_Vertex(int side, const Vec3&)>& middle,
                                  const std::function<PathEdge(const FillBorder&)>& border) {
-  return FillTopology(fill, corners, vertex).faces(border);
+  return FillTopology(fill, corners, middle).faces(border);
 }
 
 }  // namespace blossom::occt

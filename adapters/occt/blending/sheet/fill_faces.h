@@ -39,10 +39,10 @@ struct FillFace {
 /// All patches.
 ///
 /// corners   the vertices in which the sides begin
-/// vertex    makes, or finds, all others
+/// middle    makes, or finds, the vertex in the middle of a side; all others are new
 /// border    makes the edge of a half, with its chart on the patch
 std::vector<FillFace> fill_faces(const Fill& fill, const std::vector<TopoDS_Vertex>& corners,
-                                 const std::function<TopoDS_Vertex(const Vec3&)>& vertex,
+                                 const std::function<TopoDS_Vertex(int side, const Vec3&)>& middle,
                                  const std::function<PathEdge(const FillBorder&)>& border);
 
 }  // namespace blossom::occt

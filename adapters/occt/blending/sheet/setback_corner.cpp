@@ -351,8 +351,10 @@ void BlendSheet::fill_corner(const Ring& ring, const std::vector<SetbackSide>& s
     return setback_edge(sides[static_cast<std::size_t>(of.side)], of);
   };
   // Where corners at both ends of a strip meet, sections of both have one middle.
-  const auto vertex = [&](const Vec3& point) { return new_vertex(point); };
-  for (FillFace& each : fill_faces(made, corners, vertex, border))
+  const auto middle = [&](int side, const Vec3& point) {
+    return sides[static_cast<std::size_t>(side)].half ? new_vertex(point) : vertex_at(point);
+  };
+  for (FillFace& each : fill_faces(made, corners, middle, border))
     patches_.push_back({each.face, std::move(each.edges), 0});
   for (const VertexSector& each : ring)
     if (is_filleted(each.half.edge)) turn_path(each.half);

@@ -37,7 +37,14 @@ TEST(FillFaces, ShareEachInnerEdgeBothWays) {
     std::vector<TopoDS_Vertex> corners;
     for (const FillSide& side : flat_hole(n)) corners.push_back(vertex_at(projected(side.edge[0])));
     int borders = 0;
-    const auto faces = fill_faces(made, corners, vertex_at, [&](const FillBorder& border) {
+    std::vector<int> middles;
+    const auto middle = [&](int side, const Vec3& point) {
+      middles.push_back(side);
+      const std::vector<Vec4> row = flat_hole(n)[static_cast<std::size_t>(side)].edge;
+      EXPECT_LT(distance(point, 0.5 * (projected(row[0]) + projected(row[1]))), 1e-12);
+      return vertex_at(point);
+    };
+    const auto faces = fill_faces(made, corners, middle, [&](const FillBorder& border) {
       ++borders;
       const TopoDS_Edge edge = edge_on(border.curve, {0, 1}, border.along ? border.from : border.to,
                                        border.along ? border.to : border.from);
@@ -45,6 +52,7 @@ TEST(FillFaces, ShareEachInnerEdgeBothWays) {
       return PathEdge{edge, border.along};
     });
     EXPECT_EQ(borders, 2 * n);
+    EXPECT_EQ(middles, (std::vector<int>{0, 1, 2, 3, 4}));
     ASSERT_EQ(faces.size(), made.patches.size());
     TopTools_IndexedMapOfShape edges;
     std::vector<int> forward, reversed;
