@@ -34,12 +34,14 @@ bool is_plane(const RolledStrip& strip) {
 }
 
 // The plane through the corners of a polygon, as near as they lie in one, its normal to where they
-// run against the clock.
-TopoDS_Face plane_round(const std::vector<TopoDS_Vertex>& corners) {
+// run against the clock. Nothing where the polygon has no area beyond that of the tolerance.
+std::optional<TopoDS_Face> plane_round(const std::vector<TopoDS_Vertex>& corners,
+                                       double tolerance) {
   const Vec3 first = point_of(corners.front());
   Vec3 area{};
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     area += cross(point_of(corners[i]) - first, point_of(corners[i + 1]) - first);
+  if (!(norm(area) > tolerance * tolerance)) return std::nullopt;
   TopoDS_Face face;
   BRep_Builder().MakeFace(face, new Geom_Plane(pnt(first), dir(unit(area))),
                           Precision::Confusion());
@@ -140,7 +142,9 @@ bool BlendSheet::flat_corner(const Ring& ring) {
           round.empty() || !next.IsSame(round.back()))
         round.push_back(next);
   BlendPatch patch;
-  patch.face = plane_round(round);
+  const auto plane = plane_round(round, tolerance_);
+  if (!plane) return false;
+  patch.face = *plane;
   const SurfaceProjector feet(patch.face, Precision::Confusion());
   for (const TopoDS_Vertex& each : round)
     if (std::abs(feet.height(point_of(each))) > tolerance_) return false;
