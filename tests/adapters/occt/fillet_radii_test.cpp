@@ -260,12 +260,15 @@ TEST(FilletRadii, ThatChangeAlongAllEdgesOfAnAngle) {
   std::vector<int> edges(18);
   std::iota(edges.begin(), edges.end(), 1);
   FilletOptions options;
-  options.law = RadiusLaw::linear({0, 1}, 0.6, 0.3);
+  for (const RadiusLaw& law :
+       {RadiusLaw::linear({0, 1}, 0.6, 0.3), RadiusLaw::table({0, 0.5, 1}, {0.4, 0.6, 0.4})}) {
+    options.law = law;
 
-  const FilletResult made = fillet(angle, edges, options);
+    const FilletResult made = fillet(angle, edges, options);
 
-  expect_sound(made);
-  EXPECT_EQ(made.edges.size(), 18U);
+    expect_sound(made);
+    EXPECT_EQ(made.edges.size(), 18U);
+  }
 }
 
 TEST(FilletRadii, TooLargeIsToldOfTheEdgeThatHasIt) {

@@ -41,8 +41,8 @@ class Order {
   Rules before_, before_asked_;       // by all edges at a vertex, by those that have fillets
 };
 
-// Whether edges do not have all the same ball; radii that change along edges are unlike where these
-// meet.
+// Whether edges cannot be one run over the end of another: they do not have all the same ball, or
+// have laws, even such that agree at the vertex, which go along each edge and over no others.
 bool differ(const std::vector<int>& edges, const FilletOptions& options) {
   return std::ranges::any_of(edges, [&](int each) {
     const EdgeRadius of = options.radius_of(each);
