@@ -162,6 +162,29 @@ TEST(ChamferCorner, OfBothKindsIsAPlaneBetweenAllThree) {
   }
 }
 
+// The line across the upper face goes over a bore: this is told of the corner.
+TEST(ChamferCorner, OfBothKindsHasNoRoomOverABore) {
+  const TopoDS_Shape angle =
+      prism({{0, 0, 0}, {30, 0, 0}, {30, 8, 0}, {8, 8, 0}, {8, 30, 0}, {0, 30, 0}}, 20);
+  const gp_Ax2 axis(gp_Pnt(7.5, 8.5, -1), gp::DZ());
+  const TopoDS_Shape bored =
+      BRepAlgoAPI_Cut(angle, BRepPrimAPI_MakeCylinder(axis, 0.03, 22).Shape()).Shape();
+  std::vector<int> edges;
+  for (const EdgeFacts& each : edge_facts(bored))
+    if (std::abs(distance(each.middle, {8, 8, 20}) - 0.5 * each.length) < 1e-9)
+      edges.push_back(each.number);
+  ASSERT_EQ(edges.size(), 3U);
+  FilletOptions options{.largest = false};
+  for (const double second : {1.0, 0.9}) {
+    options.chamfer = ChamferSize{1, second};
+    const FilletResult made = fillet(bored, edges, options);
+    ASSERT_EQ(made.refused.size(), 1U);
+    const FilletRefusal& why = made.refused.front();
+    EXPECT_EQ(why.fault, FilletFault::Corner) << why.text();
+    EXPECT_LT(distance(why.point.value_or(Vec3{}), {8, 8, 20}), 1e-9) << why.text();
+  }
+}
+
 // The angle between the walls of the notch is 60 degrees: the line across the upper face goes over
 // what was open. And of unlike distances, where the corner is in no plane.
 TEST(ChamferCorner, OfBothKindsBesideANotch) {

@@ -251,6 +251,33 @@ TEST(FilletRadii, OfBothKindsThatAllDifferLeaveACornerThatIsFilled) {
   }
 }
 
+// A thin bore beside the inner corner is cut off by the fill, or lies where that would go on in the
+// upper face: this is told of the corner.
+TEST(FilletRadii, OfBothKindsHaveNoRoomForACornerBesideABore) {
+  const TopoDS_Shape angle =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10., 10., 10.).Shape(),
+                      BRepPrimAPI_MakeBox(gp_Pnt(5, 5, -1), 6, 6, 12).Shape())
+          .Shape();
+  for (const double away : {0.04, 0.06}) {
+    const gp_Ax2 axis(gp_Pnt(5 - away, 5 - away, -1), gp::DZ());
+    const TopoDS_Shape bored =
+        BRepAlgoAPI_Cut(angle, BRepPrimAPI_MakeCylinder(axis, 0.03, 12).Shape()).Shape();
+    const int inner = edge_at(bored, {5, 5, 5});
+    const int along_x = edge_at(bored, {7.5, 5, 10}), along_y = edge_at(bored, {5, 7.5, 10});
+    const std::map<int, EdgeRadius> own{{inner, {0.5}}, {along_x, {0.5}}, {along_y, {0.4}}};
+
+    FilletOptions options{.own = own, .largest = false};
+    const FilletResult made = fillet(bored, {inner, along_x, along_y}, options);
+
+    EXPECT_TRUE(made.solids.empty());
+    ASSERT_EQ(made.refused.size(), 1U);
+    const FilletRefusal& why = made.refused.front();
+    EXPECT_EQ(why.fault, FilletFault::Corner) << why.text();
+    ASSERT_TRUE(why.point);
+    EXPECT_LT(distance(*why.point, {5, 5, 10}), 1e-9) << away << why.text();
+  }
+}
+
 // Radii that change along edges do so from each end of one to that of the next.
 TEST(FilletRadii, ThatChangeAlongAllEdgesOfAnAngle) {
   const TopoDS_Shape angle =

@@ -202,7 +202,7 @@ class BlendSheet {
   SetbackSide slanted_side(const DirectedEdge& half);
   SetbackSide path_side(const Ring& ring, std::size_t sector,
                         const std::map<std::size_t, double>& cuts);
-  void check_room(const DirectedEdge& half, const SetbackSide& path) const;
+  void check_room(const Ring& ring, std::size_t sector, const SetbackSide& path) const;
   PathEdge section_edge(const DirectedEdge& half, const FillBorder& border);
   PathEdge setback_edge(const SetbackSide& side, const FillBorder& border);
   void fill_corner(const Ring& ring, const std::vector<SetbackSide>& sides);

@@ -213,15 +213,20 @@ BlendSheet::SetbackSide BlendSheet::slanted_side(const DirectedEdge& half) {
 // False, and nothing is done, where borders do not cross.
 bool BlendSheet::crossed_corner(const Ring& ring) {
   if (!borders_cross(ring)) return false;
+  std::map<std::size_t, SetbackSide> across;  // by sector
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const DirectedEdge half = ring[i].half, next = ring[(i + 1) % ring.size()].half;
+    const TopoDS_Vertex& left = end_of(half).vertices[left_side(half)];
+    if (left.IsSame(end_of(next).vertices[right_side(next)])) continue;
+    SetbackSide& path = across[i] = path_side(ring, i, {});
+    check_room(ring, i, path);
+    path.from = left;
+  }
   if (flat_corner(ring)) return true;
   std::vector<SetbackSide> sides;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const DirectedEdge half = ring[i].half, next = ring[(i + 1) % ring.size()].half;
-    sides.push_back(slanted_side(half));
-    const TopoDS_Vertex& left = end_of(half).vertices[left_side(half)];
-    if (left.IsSame(end_of(next).vertices[right_side(next)])) continue;
-    sides.push_back(path_side(ring, i, {}));
-    sides.back().from = left;
+    sides.push_back(slanted_side(ring[i].half));
+    if (const auto path = across.find(i); path != across.end()) sides.push_back(path->second);
   }
   fill_corner(ring, sides);
   return true;

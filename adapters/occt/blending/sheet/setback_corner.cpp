@@ -275,12 +275,20 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
   return made;
 }
 
-void BlendSheet::check_room(const DirectedEdge& half, const SetbackSide& path) const {
+// A path has to lie in its face, and meets and cuts off no border but the edges of its sector.
+// Where the face turns by more than half a circle between two strips it grows over what the concave
+// one fills, and the path may go over those two.
+void BlendSheet::check_room(const Ring& ring, std::size_t sector, const SetbackSide& path) const {
+  const DirectedEdge half = ring[sector].half, next = ring[(sector + 1) % ring.size()].half;
+  const bool grows =
+      is_filleted(half.edge) && is_filleted(next.edge) && !is_narrow(body_, ring[sector], next);
   const RolledContact in_face{path.face, {}, Handle(Geom2d_Curve)(path.chart), 0};
-  for (int i = 1; i < kPathSamples; ++i)
-    if (!lies_inside(body_, in_face, static_cast<double>(i) / kPathSamples))
-      refuse(half, FilletFault::Corner,
-             "face " + std::to_string(path.face) + " has no room for its corner: " + too_large());
+  bool has_room = !meets_border(body_, path.chart, ring[sector], next);
+  for (int i = 1; i < kPathSamples && !grows; ++i)
+    has_room = has_room && lies_inside(body_, in_face, static_cast<double>(i) / kPathSamples);
+  if (!has_room)
+    refuse(half, FilletFault::Corner,
+           "face " + std::to_string(path.face) + " has no room for its corner: " + too_large());
 }
 
 // Half a strip's section as an edge of the sheet, with its charts on the strip and the fill.
@@ -384,11 +392,7 @@ void BlendSheet::set_back(const Ring& ring) {
     const bool is_strip = is_filleted(half.edge);
     if (is_strip) sides.push_back(section_side_of(half));
     sides.push_back(path_side(ring, i, cuts));
-    const DirectedEdge next = ring[(i + 1) % count].half;
-    // A face that turns by more than half a circle between strips grows over what the concave one
-    // fills.
-    const bool grows = is_strip && is_filleted(next.edge) && !is_narrow(body_, ring[i], next);
-    if (!grows) check_room(half, sides.back());
+    check_room(ring, i, sides.back());
     sides.back().from = is_strip ? end_of(half).vertices[left_side(half)] : feet[i];
   }
   fill_corner(ring, sides);

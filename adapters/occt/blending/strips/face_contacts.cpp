@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <numbers>
 
+#include <BRep_Tool.hxx>
 #include <Precision.hxx>
 
 #include "adapters/occt/blending/limits.h"
@@ -15,21 +17,28 @@
 namespace blossom::occt {
 namespace {
 
+// Of lines round a corner that is cut off: which side edges lie on that do not meet them is told by
+// their chords.
+constexpr int kLineSamples = 64;
 constexpr double kRunEnd = 1e-9;  // of a run: meetings so near to its ends are those
 
-// A contact in the scaled parameters of a face, and whole periods beside, wherever it may meet
-// edges of the face.
-std::vector<PlanarCurve> contact_copies(const BodyEdges& body, const RolledStrip& strip,
-                                        std::size_t side, int face) {
+// A line in the scaled parameters of a face, and whole periods beside, wherever it may meet edges
+// of the face.
+std::vector<PlanarCurve> copies_in(const BodyEdges& body, int face,
+                                   const Handle(Geom2d_Curve) & chart, const Interval& range) {
   const FaceTrims& trims = body.trims(face);
-  const PlanarCurve contact =
-      transformed(planar_curve(strip.contacts[side].chart, strip.range), trims.scale, {});
+  const PlanarCurve line = transformed(planar_curve(chart, range), trims.scale, {});
   std::vector<PlanarCurve> all;
-  for (const Vec2& shift : period_shifts(trims, contact)) {
+  for (const Vec2& shift : period_shifts(trims, line)) {
     if (norm(shift) > 0 && trims.period[0] == 0 && trims.period[1] == 0) continue;
-    all.push_back(transformed(contact, {1, 1}, shift));
+    all.push_back(transformed(line, {1, 1}, shift));
   }
   return all;
+}
+
+std::vector<PlanarCurve> contact_copies(const BodyEdges& body, const RolledStrip& strip,
+                                        std::size_t side, int face) {
+  return copies_in(body, face, strip.contacts[side].chart, strip.range);
 }
 
 // Common points but those where the curves run along each other: there neither goes over the other.
@@ -180,6 +189,76 @@ std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const Roll
   for (const Interval& run : joined(std::move(runs), kRunEnd * length(strip.range)))
     keep_ways_out(body, strip, strip.contacts[side], run, all);
   return all;
+}
+
+namespace {
+
+bool meet_between_ends(const PlanarCurve& line, const EdgeUseInFace& use) {
+  const double tolerance = std::max(Precision::Confusion(), use.coedge->tolerance);
+  const PlanarCrossings found = crossings(line, use.coedge->curve, tolerance);
+  return !found.overlaps.empty() ||
+         std::ranges::any_of(found.points, [&](const PlanarCrossing& each) {
+           const Vec2 place = point_at(line, each.a);
+           return distance(place, point_at(line, 0)) > tolerance &&
+                  distance(place, point_at(line, 1)) > tolerance;
+         });
+}
+
+// Whether a polygon goes round a point.
+bool goes_round(const std::vector<Vec2>& polygon, const Vec2& point) {
+  double turned = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i] - point, b = polygon[(i + 1) % polygon.size()] - point;
+    turned += std::atan2(cross(a, b), dot(a, b));
+  }
+  return std::abs(turned) > std::numbers::pi;
+}
+
+void add_part(const PlanarCurve& curve, const Interval& part, std::vector<Vec2>& polygon) {
+  for (int i = 0; i <= kLineSamples; ++i)
+    polygon.push_back(point_at(curve, at(part, static_cast<double>(i) / kLineSamples)));
+}
+
+// What a line cuts off from a sector: round along its first edge, the line, and back along the
+// next.
+//
+// copies   of the line, of which that is meant which is nearest to the sector
+std::vector<Vec2> corner_cut_off(const BodyEdges& body, const std::vector<PlanarCurve>& copies,
+                                 const VertexSector& sector, const DirectedEdge& next) {
+  const auto vertex_on = [&](const DirectedEdge& half) {
+    double first = 0, last = 0;
+    BRep_Tool::Range(body.edge(half.edge), first, last);
+    return half.at_start ? first : last;
+  };
+  const auto use = static_cast<std::size_t>(sector.use);
+  const PlanarCurve& leaving = body.uses(sector.face)[use].coedge->curve;
+  const PlanarCurve& arriving = body.use(next.edge, !next.at_start).coedge->curve;
+  const double from = vertex_on(sector.half), to = vertex_on(next);
+  const Vec2 vertex = point_at(leaving, from);
+  const auto away = [&](const PlanarCurve& copy) { return distance(point_at(copy, 0), vertex); };
+  const auto line = std::ranges::min_element(copies, {}, away);
+  if (line == copies.end()) return {};
+  std::vector<Vec2> polygon;
+  add_part(leaving, {from, nearest(leaving, point_at(*line, 0)).parameter}, polygon);
+  add_part(*line, {0, 1}, polygon);
+  add_part(arriving, {nearest(arriving, point_at(*line, 1)).parameter, to}, polygon);
+  return polygon;
+}
+
+}  // namespace
+
+bool meets_border(const BodyEdges& body, const Handle(Geom2d_Curve) & line, const VertexSector& at,
+                  const DirectedEdge& next) {
+  const std::vector<PlanarCurve> copies = copies_in(body, at.face, line, {0, 1});
+  const std::vector<Vec2> corner = corner_cut_off(body, copies, at, next);
+  return std::ranges::any_of(body.uses(at.face), [&](const EdgeUseInFace& use) {
+    if (use.coedge->degenerated || use.edge == at.half.edge || use.edge == next.edge) return false;
+    if (body.behind(use).face == at.face) return false;
+    if (std::ranges::any_of(copies, [&](const auto& each) { return meet_between_ends(each, use); }))
+      return true;
+    return goes_round(corner,
+                      point_at(use.coedge->curve, blossom::at(use.coedge->curve.domain(), 0.5)));
+  });
 }
 
 std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const RolledStrip& a,

@@ -53,6 +53,12 @@ struct ContactCrossing {
 std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
                                                std::size_t side, const std::set<int>& left_out);
 
+/// Whether a line in the chart of a face, over [0, 1], meets an edge of the face between its ends,
+/// or one lies in what the line cuts off from the face's corner, but for seams and the two edges
+/// of the corner.
+bool meets_border(const BodyEdges& body, const Handle(Geom2d_Curve) & line, const VertexSector& at,
+                  const DirectedEdge& next);
+
 /// Where the contacts of two strips cross on the face that they have in common: t of both, nearest
 /// to given ones.
 std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const RolledStrip& a,
