@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -183,6 +184,21 @@ TEST(ChamferCorner, OfBothKindsHasNoRoomOverABore) {
     EXPECT_EQ(why.fault, FilletFault::Corner) << why.text();
     EXPECT_LT(distance(why.point.value_or(Vec3{}), {8, 8, 20}), 1e-9) << why.text();
   }
+}
+
+// A lens, 4 thick between its points: borders that are 2.5 away from its sides do not cross.
+TEST(ChamferCorner, WhoseBordersDoNotCrossInANarrowFaceHasNoRoom) {
+  const auto side = [](double y) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, y, 0), gp::DZ()), 10, 20).Shape();
+  };
+  const TopoDS_Shape lens = BRepAlgoAPI_Common(side(-8), side(8)).Shape();
+  FilletOptions options{.largest = false};
+  options.chamfer = ChamferSize{2.5};
+  const FilletResult made = fillet(lens, convex_edges(lens), options);
+  ASSERT_FALSE(made.refused.empty());
+  const FilletRefusal& why = made.refused.front();
+  EXPECT_EQ(why.fault, FilletFault::Corner) << why.text();
+  EXPECT_NEAR(std::abs(why.point.value_or(Vec3{})[0]), 6, 1e-6) << why.text();  // a point of it
 }
 
 // The angle between the walls of the notch is 60 degrees: the line across the upper face goes over

@@ -59,11 +59,10 @@ void add_chart_in(const TopoDS_Face& plane, const TopoDS_Edge& edge, double tole
 }  // namespace
 
 // Where the left border of a strip crosses the right one of the next in the face between them:
-// parameters of both. Nothing where the face is wide there, or they do not cross.
+// parameters of both. Nothing where they do not cross.
 std::optional<std::array<double, 2>> BlendSheet::border_crossing(const Ring& ring,
                                                                  std::size_t sector) {
   const DirectedEdge half = ring[sector].half, next = ring[(sector + 1) % ring.size()].half;
-  if (!is_narrow(body_, ring[sector], next)) return std::nullopt;
   return contacts_cross(body_, strip_of(half).strip, left_side(half), end_t(half),
                         strip_of(next).strip, right_side(next), end_t(next));
 }
@@ -76,8 +75,12 @@ bool BlendSheet::borders_cross(const Ring& ring) {
   const std::size_t count = ring.size();
   for (const VertexSector& each : ring)
     if (!is_filleted(each.half.edge)) return false;
-  std::vector<std::optional<std::array<double, 2>>> crossings;  // by sector
-  for (std::size_t i = 0; i < count; ++i) crossings.push_back(border_crossing(ring, i));
+  std::vector<std::optional<std::array<double, 2>>> crossings(count);  // by sector
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_narrow(body_, ring[i], ring[(i + 1) % count].half)) continue;
+    crossings[i] = border_crossing(ring, i);
+    if (!crossings[i]) return false;
+  }
   for (std::size_t i = 0; i < count; ++i)
     if (!crossings[i] && !crossings[(i + count - 1) % count]) return false;
   const auto end_on = [&](const DirectedEdge& half, std::size_t side, double t) {
