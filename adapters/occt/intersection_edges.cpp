@@ -57,21 +57,29 @@ FoundCurve found_curve(const EdgeCurves& edge, const SurfaceIntersection& found,
   return curve;
 }
 
-// Faces of a list by their edges, and with which faces of the other list each has regions in
-// common.
+// Of one shape with itself pairs are listed in one order only.
+bool is_one_list(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b) {
+  return std::ranges::equal(a, b,
+                            [](const TopoDS_Face& x, const TopoDS_Face& y) { return x.IsSame(y); });
+}
+
+// Faces of a list by their edges, and with which faces of the other list, which may be the same
+// one, each has regions in common.
 class CommonRegions {
  public:
   CommonRegions(const std::vector<TopoDS_Face>& faces, const ShapeIntersection& found,
-                int FaceIntersection::*own, int FaceIntersection::*other)
+                int FaceIntersection::*own, int FaceIntersection::*other, bool one_list)
       : others_(faces.size()) {
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (TopExp_Explorer it(faces[i], TopAbs_EDGE); it.More(); it.Next()) {
         if (!users_.IsBound(it.Current())) users_.Bind(it.Current(), {});
         users_.ChangeFind(it.Current()).insert(i);
       }
-    for (const FaceIntersection& pair : found.pairs)
-      if (std::ranges::count(pair.found.places, PlaceKind::Overlap, &Place::kind) > 0)
-        others_[static_cast<std::size_t>(pair.*own)].insert(pair.*other);
+    for (const FaceIntersection& pair : found.pairs) {
+      if (std::ranges::count(pair.found.places, PlaceKind::Overlap, &Place::kind) == 0) continue;
+      others_[static_cast<std::size_t>(pair.*own)].insert(pair.*other);
+      if (one_list) others_[static_cast<std::size_t>(pair.*other)].insert(pair.*own);
+    }
   }
 
   /// Whether no face beyond an edge of a face crosses another one there that this face has a region
@@ -130,8 +138,11 @@ JoinedIntersection joined_intersection(const ShapeIntersection& found,
   JoinedIntersection made;
   std::vector<FoundCurve> curves;
   std::vector<FoundPoint> points;
-  const CommonRegions of_a(a, found, &FaceIntersection::face_a, &FaceIntersection::face_b);
-  const CommonRegions of_b(b, found, &FaceIntersection::face_b, &FaceIntersection::face_a);
+  const bool one_list = is_one_list(a, b);
+  const CommonRegions of_a(a, found, &FaceIntersection::face_a, &FaceIntersection::face_b,
+                           one_list);
+  const CommonRegions of_b(b, found, &FaceIntersection::face_b, &FaceIntersection::face_a,
+                           one_list);
   for (const FaceIntersection& pair : found.pairs) {
     const TopoDS_Face& face_a = a[static_cast<std::size_t>(pair.face_a)];
     const TopoDS_Face& face_b = b[static_cast<std::size_t>(pair.face_b)];

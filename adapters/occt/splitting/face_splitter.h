@@ -55,7 +55,7 @@ struct FacePiece {
 /// A piece of an edge of another shape, and the edge that takes its place in a face.
 struct CoincidentEdge {
   TopoDS_Edge piece;  ///< as EdgeSplits has it
-  TopoDS_Edge edge;   ///< same vertices, curve and parameters, with a chart curve on the face
+  TopoDS_Edge edge;  ///< same curve and parameters, with a chart curve on the face and its vertices
 };
 
 struct FaceSplit {

@@ -2,16 +2,20 @@
 // What two shapes have in common, as one shape.
 #include "adapters/occt/intersection_edges.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -209,6 +213,30 @@ TEST(JoinedIntersection, HasSeamsAndEdgesOverWhichACommonRegionGoesOn) {
   const TopoDS_Shape wall = BRepBuilderAPI_MakeFace(gp_Pln(upright), -1, 1, 1, 3).Face();
   EXPECT_NEAR(common_of(half, wall).length, 8 + 2, 1e-7);
   EXPECT_NEAR(common_of(wall, half).length, 8 + 2, 1e-7);
+}
+
+// Of one shape each pair is listed once, so it matters to none in which order its faces come.
+TEST(JoinedIntersection, OfOneShapeHasEdgesOverWhichACommonRegionGoesOnInAnyOrder) {
+  const auto face = [](const std::array<gp_Pnt, 4>& p) {
+    return BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakePolygon(p[0], p[1], p[2], p[3], true)).Face();
+  };
+  // A shell that comes back to lie over its first two faces, which share an edge.
+  const std::array<TopoDS_Face, 5> shell{
+      face({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}}),
+      face({{{2, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 2, 0}}}),
+      face({{{0, 0, 0}, {2, 0, 0}, {3, 0.25, 1}, {1, 0.25, 1}}}),
+      face({{{1, 0.25, 1}, {3, 0.25, 1}, {3, 0.5, 0}, {1, 0.5, 0}}}),
+      face({{{1, 0.5, 0}, {3, 0.5, 0}, {3, 1.5, 0}, {1, 1.5, 0}}})};
+  BRepBuilderAPI_Sewing sewing;
+  for (const TopoDS_Face& each : shell) sewing.Add(each);
+  sewing.Perform();
+  for (const std::array<std::size_t, 5>& order :
+       {std::array<std::size_t, 5>{0, 1, 2, 3, 4}, {0, 2, 3, 4, 1}, {4, 3, 2, 1, 0}}) {
+    std::vector<TopoDS_Face> faces;
+    for (const std::size_t i : order) faces.push_back(TopoDS::Face(sewing.Modified(shell[i])));
+    const ShapeIntersection found = self_intersect(faces, SelfScope::AllFaces);
+    EXPECT_NEAR(parts_of(joined_intersection(found, faces, faces).wires).length, 7, 1e-9);
+  }
 }
 
 }  // namespace
