@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/drawings/dxf.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "plugin/reports/text/number_text.h"
@@ -74,48 +77,70 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-// What layers call things, by their names: each unlike all others by more than the case of letters,
-// also with kInner behind it, and of `room` letters at most.
-std::map<std::string, std::string> layer_words(const std::vector<std::string>& names,
-                                               std::size_t room) {
-  std::map<std::string, std::string> words;
-  std::set<std::string> known;
-  for (const std::string& name : names) {
-    if (words.contains(name)) continue;
-    const std::string letters = layer_letters(name);
-    std::string word = letters.substr(0, room);
-    for (int i = 2; known.contains(upper_case(word)); ++i) {
-      const std::string ending = "_" + std::to_string(i);
-      word = letters.substr(0, room - ending.size()) + ending;
+// Names that are unlike each other by more than the case of letters, also with kInner behind them.
+class UnlikeNames {
+ public:
+  /// Begins with the letters as far as there is room, and ends with a number if it has to.
+  std::string add(const std::string& letters, std::size_t room) {
+    std::string name = letters.substr(0, room);
+    int& number = numbers_[upper_case(name)];
+    for (const std::string whole = name; is_known(name);) {
+      const std::string ending = "_" + std::to_string(number++ + 2);
+      name = whole.substr(0, room - ending.size()) + ending;
     }
-    known.insert({upper_case(word), upper_case(word + kInner)});
-    words[name] = word;
+    known_.insert({upper_case(name), upper_case(name + kInner)});
+    return name;
   }
-  return words;
-}
+
+ private:
+  bool is_known(const std::string& name) const {
+    return known_.contains(upper_case(name)) || known_.contains(upper_case(name + kInner));
+  }
+
+  std::set<std::string> known_;
+  std::map<std::string, int> numbers_;  // so many were tried, by what is before them
+};
 
 // Layers are "DECK-Shaft": what planes are called, in capitals, and where there are several parts
 // the parts, in all planes alike.
-struct LayerWords {
-  explicit LayerWords(const std::vector<DrawnPlane>& planes) {
-    std::vector<std::string> of_planes, of_parts;
-    for (const DrawnPlane& plane : planes) {
-      of_planes.push_back(upper_case(plane.layer));
-      for (const DrawnPart& part : plane.parts) of_parts.push_back(part.name);
-    }
-    const std::size_t room = kLongestName - 1 - std::string(kInner).size();
-    plane_words = layer_words(of_planes, room / 2);
+class LayerNames {
+ public:
+  explicit LayerNames(const std::vector<DrawnPlane>& planes) {
+    UnlikeNames of_planes, of_parts;
     std::size_t longest = 0;
-    for (const auto& [name, word] : plane_words) longest = std::max(longest, word.size());
-    part_words = layer_words(of_parts, room - longest);
+    for (const DrawnPlane& plane : planes) {
+      plane_words_.push_back(of_planes.add(layer_letters(upper_case(plane.layer)), kRoom / 2));
+      longest = std::max(longest, plane_words_.back().size());
+    }
+    for (const DrawnPlane& plane : planes)
+      for (const DrawnPart& part : plane.parts)
+        if (!part_words_.contains(part.name))
+          part_words_[part.name] = of_parts.add(layer_letters(part.name), kRoom - longest);
   }
 
-  std::string of(const DrawnPlane& plane, const DrawnPart& part) const {
-    const std::string& word = plane_words.at(upper_case(plane.layer));
-    return part_words.size() > 1 ? word + "-" + part_words.at(part.name) : word;
+  /// Of all parts of a plane; those of one name share theirs.
+  std::vector<std::string> add(std::size_t plane, const std::vector<DrawnPart>& parts) {
+    std::map<std::string, std::string> made;
+    std::vector<std::string> names;
+    for (const DrawnPart& part : parts) {
+      if (!made.contains(part.name)) {
+        const std::string& word = plane_words_[plane];
+        const bool several = part_words_.size() > 1;
+        // "DECK" with "B-Shaft" is like "DECK-B" with "Shaft".
+        made[part.name] = layers_.add(several ? word + "-" + part_words_[part.name] : word, kAll);
+      }
+      names.push_back(made[part.name]);
+    }
+    return names;
   }
 
-  std::map<std::string, std::string> plane_words, part_words;
+ private:
+  static constexpr std::size_t kAll = kLongestName - std::string_view(kInner).size();
+  static constexpr std::size_t kRoom = kAll - 1;  // of both words, with "-" between them
+
+  std::vector<std::string> plane_words_;
+  std::map<std::string, std::string> part_words_;
+  UnlikeNames layers_;
 };
 
 // Those of a part; what does not bound it, a plotter or a saw must not follow.
@@ -129,17 +154,18 @@ bool has_inner_wires(const DrawnPart& part) {
 
 // One for each part of each plane, and one for its inner wires if it has any.
 std::vector<std::vector<PartLayers>> layers_of(const std::vector<DrawnPlane>& planes) {
-  const LayerWords words(planes);
+  LayerNames names(planes);
   std::map<std::string, std::size_t> order;  // of the parts' colours
   std::vector<std::vector<PartLayers>> layers;
-  for (const DrawnPlane& plane : planes) {
+  for (std::size_t i = 0; i < planes.size(); ++i) {
     std::vector<PartLayers>& own = layers.emplace_back();
-    for (const DrawnPart& part : plane.parts) {
+    const std::vector<std::string> outlines = names.add(i, planes[i].parts);
+    for (std::size_t k = 0; k < outlines.size(); ++k) {
+      const DrawnPart& part = planes[i].parts[k];
       const std::size_t place = order.emplace(part.name, order.size()).first->second;
       const int colour = kColourNumbers[place % kColourNumbers.size()];
-      const std::string outline = words.of(plane, part);
-      const std::string inner = has_inner_wires(part) ? outline + kInner : "";
-      own.push_back({{outline, colour}, {inner, colour}});
+      const std::string inner = has_inner_wires(part) ? outlines[k] + kInner : "";
+      own.push_back({{outlines[k], colour}, {inner, colour}});
     }
   }
   return layers;

@@ -46,7 +46,7 @@ std::vector<DrawnPlane> drawn_planes(const SectionsAnswer& answer) {
     const DrawingFrame frame(of.plane.plane);
     DrawnPlane& plane = planes.emplace_back();
     plane.name = of.plane.name;
-    plane.layer = of.plane.offset ? "plane " + std::to_string(planes.size()) : of.plane.name;
+    plane.layer = of.plane.named ? of.plane.name : "plane " + std::to_string(planes.size());
     plane.elevation = dot(frame.normal, of.plane.plane.point);
     for (const PartSection& part : of.parts) {
       DrawnPart made = drawn(part.section, frame, deviation);

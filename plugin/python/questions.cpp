@@ -31,13 +31,13 @@ std::vector<occt::Plane> planes_of(const std::vector<std::pair<Triple, Triple>>&
   return planes;
 }
 
-// A point, a normal, a name, and perhaps an offset.
+// A point, a normal, a name, and an offset of those that have no name of their own.
 using PlaneWords = std::tuple<Triple, Triple, std::string, std::optional<double>>;
 
 std::vector<reports::NamedPlane> named_planes(const std::vector<PlaneWords>& list) {
   std::vector<reports::NamedPlane> planes;
   for (const auto& [point, normal, name, offset] : list)
-    planes.push_back({plane_of(vec(point), vec(normal)), name, offset});
+    planes.push_back({plane_of(vec(point), vec(normal)), name, !offset, offset});
   return planes;
 }
 

@@ -70,7 +70,7 @@ void draw(const reports::SectionsAnswer& answer, const std::string& file, const 
 void draw_cut(const Cut& cut, const std::string& file, const Control& control) {
   interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = cut.model->turn(watch);
-    draw(cut_parts(*cut.model, {{cut.plane, "section", 0.}}, cut.tolerance, watch), file, watch);
+    draw(cut_parts(*cut.model, {{cut.plane, "section"}}, cut.tolerance, watch), file, watch);
   });
 }
 

@@ -20,6 +20,7 @@ Json section_report(const Input& input, const occt::Plane& plane, double toleran
 struct NamedPlane {
   occt::Plane plane;
   std::string name;
+  bool named = false;              ///< by the user, else by its place among all
   std::optional<double> offset{};  ///< from the point that was given, along the normal; model units
 };
 

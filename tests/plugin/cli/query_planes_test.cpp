@@ -242,6 +242,41 @@ TEST_F(QueryPlanes, CallsLayersLikePlanesThatHaveNames) {
             std::string::npos);
 }
 
+// "plane 2" is also what the second plane without a name would be called.
+TEST_F(QueryPlanes, HasLayersForEachPlaneThoughNamesAreAlike) {
+  testing::write_text(folder_ / "planes.txt",
+                      "0,0,1,0,0,1 DECK\n0,0,2,0,0,1 deck\n0,0,3,0,0,1 DECK\n"
+                      "0,0,1.5,0,0,1 plane 5\n0,0,2.5,0,0,1\n");
+  const std::string out = folder_ / "alike.dxf";
+  ASSERT_EQ(run({"--planes", folder_ / "planes.txt", "-o", out}).code, 0);
+  std::map<std::string, std::set<double>> heights;
+  for (const Entity& entity : parsed(testing::text_of(out)).entities)
+    if (entity.kind == "CIRCLE" && entity.values.at(8).ends_with("-Plate"))
+      heights[entity.values.at(8)].insert(entity.number(30));
+  EXPECT_EQ(heights, (std::map<std::string, std::set<double>>{{"DECK-Plate", {1}},
+                                                              {"DECK_2-Plate", {2}},
+                                                              {"DECK_3-Plate", {3}},
+                                                              {"PLANE_5-Plate", {1.5}},
+                                                              {"PLANE_5_2-Plate", {2.5}}}));
+}
+
+TEST_F(QueryPlanes, HasLayersForEachPartThoughJoinedNamesAreAlike) {
+  occt::Model model;
+  model.add(BRepPrimAPI_MakeBox(1, 1, 4).Shape(), "B-Shaft");
+  model.add(BRepPrimAPI_MakeBox(gp_Pnt(5, 0, 0), 1, 1, 4).Shape(), "Shaft");
+  occt::write_model(model, folder_ / "shafts.step");
+  file_ = folder_ / "shafts.step";
+  testing::write_text(folder_ / "planes.txt", "0,0,1,0,0,1 DECK\n0,0,2,0,0,1 DECK-B\n");
+  const std::string out = folder_ / "shafts.dxf";
+  ASSERT_EQ(run({"--planes", folder_ / "planes.txt", "-o", out}).code, 0);
+  std::map<std::string, int> lines;
+  for (const Entity& entity : parsed(testing::text_of(out)).entities) ++lines[entity.values.at(8)];
+  EXPECT_EQ(
+      lines,
+      (std::map<std::string, int>{
+          {"DECK-B-Shaft", 4}, {"DECK-Shaft", 4}, {"DECK-B-B-Shaft", 4}, {"DECK-B-Shaft_2", 4}}));
+}
+
 TEST_F(QueryPlanes, CallsPartsAlikeInLayersOfAllPlanes) {
   // The first plane meets one of the parts with a long name, the second both, and the step of one.
   const std::string longest = "Getriebegehäuse, obere Hälfte, ";

@@ -120,8 +120,7 @@ void write_outputs(const Input& input, const PlaneCommand& options, const Answer
   const std::vector<PictureFile> pictures =
       picture_files(common, [&] { return picture_of(input, section); });
   stop_if_interrupted();
-  if (shapes && any)
-    write_parts(input, {answer.plane, "section", 0.}, options.engine, common.output);
+  if (shapes && any) write_parts(input, {answer.plane, "section"}, options.engine, common.output);
   const Json json = reports::section_report(input, answer.plane, options.engine.tolerance, section,
                                             answer.seconds);
   if (report) write_json(json, common.output);
@@ -164,7 +163,7 @@ int run(const PlaneCommand& options) {
   Answer answer;
   answer.plane = plane_of(options);
   if (is_mesh_input(options.input))
-    return run_mesh_sections(options.input, {{answer.plane, "section", {}}}, options.common);
+    return run_mesh_sections(options.input, {{answer.plane, "section"}}, options.common);
   const Input input = read_usable_input(options.input);
   stop_if_interrupted();
   {

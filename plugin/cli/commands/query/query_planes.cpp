@@ -134,7 +134,7 @@ NamedPlane plane_in(const std::string& line, const std::string& where) {
   for (int i = 0; i < 6 && text >> word; ++i) numbers += (i == 0 ? "" : ",") + word;
   const bool named = text && !(text >> std::ws).eof();
   return {parse_plane(numbers, where),
-          named ? line.substr(static_cast<std::size_t>(text.tellg())) : ""};
+          named ? line.substr(static_cast<std::size_t>(text.tellg())) : "", named};
 }
 
 }  // namespace
@@ -165,6 +165,7 @@ std::vector<NamedPlane> planes_at(const std::string& offsets, const occt::Plane&
     const double offset = i + 1 == all ? *to : *from + t * (*to - *from);
     planes.push_back({{plane.point + plane.normal * offset, plane.normal},
                       "plane " + std::to_string(i + 1) + ", offset " + offset_text(offset),
+                      false,
                       offset});
   }
   return planes;
@@ -180,7 +181,7 @@ std::vector<NamedPlane> planes_in(const std::string& file) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     while (!line.empty() && line.back() == '\r') line.pop_back();
     planes.push_back(plane_in(line, file + ", line " + std::to_string(number)));
-    if (planes.back().name.empty()) planes.back().name = "plane " + std::to_string(planes.size());
+    if (!planes.back().named) planes.back().name = "plane " + std::to_string(planes.size());
     if (static_cast<long>(planes.size()) > kMaxPlanes)
       throw UsageError(file + ": has more than " + std::to_string(kMaxPlanes) + " planes");
   }
