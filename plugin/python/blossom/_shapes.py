@@ -53,6 +53,14 @@ def _core_model(shape: Any, name: str) -> _core.Model:
     raise TypeError(f"{name}: {_WANTED}, got {_checks.kind(shape)}{held}")
 
 
+def _warn(text: str) -> None:
+    """Names the line that called the package, by whichever of its functions."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals["__name__"].partition(".")[0] == __package__:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, stacklevel=level)
+
+
 def core_of_file(path: str, name: str, strict: bool, control: _core.Control) -> _core.Model:
     """The model of a file, or of what is named in it: "part.step#3,5-9", "part.step#Shaft"; a file
     that is called so wins."""
@@ -77,10 +85,7 @@ def _told_core(path: str, name: str, strict: bool, control: _core.Control) -> _c
             for each in reading["losses"]
             if each["of_shape"]
         ]
-        warnings.warn(
-            f"{path}: shapes are missing or not as they are there: " + "; ".join(lost),
-            stacklevel=4,  # who called read()
-        )
+        _warn(f"{path}: shapes are missing or not as they are there: " + "; ".join(lost))
     return model
 
 
@@ -106,19 +111,23 @@ def searched(model: _core.Model, control: _core.Control) -> _core.Model:
         return model
     for what, numbers in usable.left_out.items():
         faces = ", ".join(map(str, numbers))
-        warnings.warn(
+        _warn(
             f"{model.name}: face{'s' * (len(numbers) > 1)} {faces} "
             f"ha{'ve' if len(numbers) > 1 else 's'} {what} and "
-            f"{'are' if len(numbers) > 1 else 'is'} left out",
-            stacklevel=4,  # who asks a question
+            f"{'are' if len(numbers) > 1 else 'is'} left out"
         )
     return usable
 
 
-def write(model: _core.Model, file: str, control: _core.Control) -> None:
-    """Warned of is what the file has not that was read, and what had to be written otherwise."""
+def write(
+    model: _core.Model, file: str, control: _core.Control, called: Optional[str] = None
+) -> None:
+    """Warned of is what the file has not that was read, and what had to be written otherwise.
+
+    called   the file in what is warned of
+    """
     for note in model.write(file, control):
-        warnings.warn(f"{file}: {note}", stacklevel=3)  # who calls write()
+        _warn(f"{called or file}: {note}")
 
 
 Packed = Tuple[str, bytes]
@@ -130,7 +139,7 @@ def packed(model: _core.Model) -> Packed:
         return "brep", model.brep()
     with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
         file = pathlib.Path(folder, "model.step")
-        model.write(str(file), _checks.control({}))
+        write(model, str(file), _checks.control({}), f"{model.name}, packed")
         return "step", file.read_bytes()
 
 

@@ -2,6 +2,7 @@
 """Files and bytes become a model, whole or in parts, and none ends the program."""
 
 import os
+import pickle
 import re
 import tempfile
 import unittest
@@ -110,8 +111,19 @@ class Reading(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "approved.step")
             path.write_text(text[:at] + approved + text[at:])
-            with self.assertWarnsRegex(UserWarning, "written without 1 approval of the file"):
-                blossom.read(path).to_step(Path(folder, "out.step"))
+            out = Path(folder, "out.step")
+            model = blossom.read(path)
+            ways = (
+                lambda: model.write(out),
+                lambda: model.to_step(out),
+                lambda: blossom.write(path, out),
+                lambda: blossom.convert(path, out),
+                lambda: pickle.dumps(model),
+            )
+            for way in ways:
+                with self.assertWarnsRegex(UserWarning, "written without 1 approval of") as told:
+                    way()
+                self.assertEqual(told.filename, __file__)
 
     def test_no_file_ends_the_program(self):
         text = BLOCK.read_text()
