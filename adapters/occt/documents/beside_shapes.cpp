@@ -9,6 +9,11 @@
 #include <utility>
 
 #include <StepData_UndefinedEntity.hxx>
+#include <StepVisual_PresentationLayerAssignment.hxx>
+#include <TCollection_AsciiString.hxx>
+#include <TCollection_ExtendedString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TDF_Label.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
@@ -16,12 +21,15 @@
 namespace blossom::occt {
 namespace {
 
-constexpr std::string_view kLayer = "layer";
+/// Layers by their names: a file may say one as often as there are items in it.
+BesideShapes layers_among(const std::set<std::string>& names) {
+  if (names.empty()) return {};
+  return {{"layer", static_cast<int>(names.size())}};
+}
 
 /// Names of entities, of ISO 10303-41, -42, -45, -46, -47, -101 and of the application protocols
 /// 203, 214 and 242, with what users call them.
 constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
-    {"PRESENTATION_LAYER_ASSIGNMENT", kLayer},
     {"ANNOTATION_CURVE_OCCURRENCE", "annotation"},
     {"ANNOTATION_FILL_AREA_OCCURRENCE", "annotation"},
     {"ANNOTATION_SYMBOL_OCCURRENCE", "annotation"},
@@ -78,11 +86,17 @@ std::set<std::string_view> kinds_in(const std::string& type) {
 }  // namespace
 
 BesideShapes beside_shapes(const StepData_StepModel& model) {
+  std::set<std::string> layers;
   BesideShapes counts;
   // Millions of entities are of some hundred types.
   std::unordered_map<const Standard_Type*, std::set<std::string_view>> known;
   for (int i = 1; i <= model.NbEntities(); ++i) {
     const Handle(Standard_Transient)& entity = model.Value(i);
+    if (const auto layer = Handle(StepVisual_PresentationLayerAssignment)::DownCast(entity);
+        !layer.IsNull()) {
+      layers.insert(layer->Name().IsNull() ? "" : layer->Name()->ToCString());
+      continue;
+    }
     const Standard_Type* const type = entity->DynamicType().get();
     std::set<std::string_view> own;
     if (entity->IsKind(STANDARD_TYPE(StepData_UndefinedEntity)))
@@ -93,14 +107,21 @@ BesideShapes beside_shapes(const StepData_StepModel& model) {
     for (const std::string_view kind : of_type == known.end() ? own : of_type->second)
       ++counts[std::string(kind)];
   }
+  counts.merge(layers_among(layers));
   return counts;
 }
 
 BesideShapes layers_of(const Document& document) {
   TDF_LabelSequence layers;
-  XCAFDoc_DocumentTool::LayerTool(document.main())->GetLayerLabels(layers);
-  if (layers.IsEmpty()) return {};
-  return {{std::string(kLayer), layers.Length()}};
+  const Handle(XCAFDoc_LayerTool) tool = XCAFDoc_DocumentTool::LayerTool(document.main());
+  tool->GetLayerLabels(layers);
+  std::set<std::string> names;
+  for (const TDF_Label& label : layers) {
+    TCollection_ExtendedString name;
+    tool->GetLayer(label, name);
+    names.insert(TCollection_AsciiString(name).ToCString());
+  }
+  return layers_among(names);
 }
 
 }  // namespace blossom::occt

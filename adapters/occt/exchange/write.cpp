@@ -198,8 +198,10 @@ std::string halved_text(std::size_t count) {
          (count == 1 ? "" : " each") + ", since readers take the hole for the face";
 }
 
-/// What the model's file has beside shapes and this one has not; empty if that is nothing.
-std::string lost_text(const BesideShapes& had, const BesideShapes& has) {
+/// What the model's file has beside shapes and this one has not; empty if that is nothing. STEP
+/// keeps what Open CASCADE finds on shapes that are written; of a part, all that is of others is
+/// told so.
+std::string lost_text(const BesideShapes& had, const BesideShapes& has, Format format) {
   std::vector<std::string> lost;
   for (const auto& [kind, count] : had) {
     const auto kept = has.find(kind);
@@ -209,7 +211,9 @@ std::string lost_text(const BesideShapes& had, const BesideShapes& has) {
   std::string text;
   for (std::size_t i = 0; i < lost.size(); ++i)
     text += (i == 0 ? "written without " : i + 1 < lost.size() ? ", " : " and ") + lost[i];
-  return text.empty() ? text : text + " of the file that was read, which touch no shape";
+  if (text.empty()) return text;
+  text += " of the file that was read";
+  return format == Format::Step ? text + ", which touch nothing that is written" : text;
 }
 
 FileContent content_of(const Model& model, Contents& contents, Format format,
@@ -260,7 +264,7 @@ std::vector<WriteNote> write_model(const Model& given, const std::filesystem::pa
     throw Failure(file.string() + ": " + failure.what());
   }
   if (format != Format::Glb)  // triangles, which are to be looked at
-    if (std::string lost = lost_text(model.impl_->beside, content.beside); !lost.empty())
+    if (std::string lost = lost_text(model.impl_->beside, content.beside, format); !lost.empty())
       notes.push_back({std::move(lost)});
   if (stop) stop();
   write_text(content.bytes, file, stop);

@@ -148,12 +148,44 @@ TEST(StepFiles, ThatLoseWhatTouchesNoShapeAreTold) {
 
   const Model more = read_model(folder / "more.step");
   const std::string lost =
-      "written without 1 annotation, 2 approvals and 1 group of the file that was read, which "
-      "touch no shape";
-  EXPECT_EQ(told(write_model(more, folder / "out.step")), lost);
+      "written without 1 annotation, 2 approvals and 1 group of the file that was read";
+  EXPECT_EQ(told(write_model(more, folder / "out.step")),
+            lost + ", which touch nothing that is written");
   EXPECT_EQ(told(write_model(more.copy(), folder / "out.iges")), lost);
   EXPECT_EQ(told(write_model(more, folder / "out.brep")), lost);
   EXPECT_EQ(told(write_model(read_model(folder / "out.step"), folder / "again.step")), "");
+}
+
+// Some systems write an assignment for each item.
+TEST(StepFiles, KeepLayersHoweverManyAssignmentsSayThem) {
+  const Folder folder;
+  Model box;
+  box.add(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), "box");
+  write_model(box, folder / "box.step");
+  std::string text = testing::content(folder / "box.step");
+  std::string layers;
+  int faces = 0;
+  for (std::size_t at = 0; (at = text.find("ADVANCED_FACE", at)) != std::string::npos; ++at) {
+    const std::size_t begin = text.rfind('#', at);
+    const std::string number = text.substr(begin, text.find_first_of(" =", begin) - begin);
+    layers += "#" + std::to_string(9001 + faces) + "=PRESENTATION_LAYER_ASSIGNMENT('" +
+              (faces % 3 == 0 ? "walls" : "rest") + "','',(" + number + "));\n";
+    ++faces;
+  }
+  ASSERT_EQ(faces, 6);
+  text.insert(text.find("ENDSEC;", text.find("DATA;")), layers);
+  testing::write_content(folder / "layers.step", text);
+  const Model read = read_model(folder / "layers.step");
+  EXPECT_EQ(told(write_model(read, folder / "out.step")), "");
+  EXPECT_EQ(told(write_model(read, folder / "out.iges")), "");
+  EXPECT_EQ(told(write_model(read, folder / "out.brep")),
+            "written without 2 layers of the file that was read");
+  // One of its faces is left, which is in one of them.
+  Model left = read.copy();
+  left.replace_faces({{2, {}}, {3, {}}, {4, {}}, {5, {}}, {6, {}}});
+  EXPECT_EQ(told(write_model(left, folder / "left.step")),
+            "written without 1 layer of the file that was read, which touch nothing that is "
+            "written");
 }
 
 TEST(NewModels, KeepNamesColoursPlacesAndNumbersThroughStep) {
