@@ -11,6 +11,10 @@
 namespace blossom {
 namespace {
 
+// Pieces in the surface get this part of the budget, and the search for points what is left: where
+// the surface is collapsed, pieces may take all they get. A choice, as for long patches.
+constexpr long kPiecePart = 16;
+
 // The middle of the curve's control points.
 Vec3 origin_of(const CurveSpans& curve) {
   Vec3 low{kUnbounded, kUnbounded, kUnbounded}, high = -low;
@@ -49,7 +53,8 @@ CurveSurfaceIntersection intersect(const CurveSpans& curve, const BezierSurface&
   CurveTree tree(curve, origin, 3);
   SurfaceTrees trees(surface, origin, options.form);
   SharedWork work(options);
-  const auto inside = pieces_in_surface(tree, trees, work, tolerance);
+  const auto inside =
+      pieces_in_surface(tree, trees, work, std::max(options.budget / kPiecePart, 1L), tolerance);
   std::vector<CurveSurfaceContact> pieces;
   for (const CurveInSurface& piece : inside) pieces.push_back(piece.piece);
   const CurveSurfaceFindings found = CurveSurfaceSearch(tree, trees, work, tolerance).run(pieces);
@@ -65,7 +70,7 @@ CurveSurfaceIntersection intersect(const CurveSpans& curve, const BezierSurface&
   certificate.depth = tree.depth();
   certificate.rounding_bound = std::max(tree.largest_margin(), trees.evaluation_margin());
   close_search(result, found, origin,
-               error > 0 ? "the curve or the surface is an approximation" : nullptr);
+               error > 0 ? "the curve or the surface is an approximation" : nullptr, work.reason());
   return result;
 }
 

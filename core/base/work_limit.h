@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// When the user wants a search to end: by time or by asking for it.
+// When the user wants a search to end: by time, by asking for it, or by a budget of steps.
 
 #pragma once
 
@@ -76,6 +76,38 @@ class PolledLimit {
 
   const WorkLimit& limit_;
   long asked_ = 0;
+  const char* reason_ = nullptr;
+};
+
+/// What all parts of one search may spend together: the budget and the time of its options. For one
+/// thread.
+class SharedWork {
+ public:
+  /// Steps between two looks at the clock, which takes as long as one of them. A choice: a step
+  /// takes some microseconds, so a search is late by a millisecond at most.
+  static constexpr long kAskEvery = 256;
+
+  /// Of anything that WorkLimit takes and that has a `budget` of steps; kept by reference. The time
+  /// limit begins to run.
+  template <class Options>
+  explicit SharedWork(const Options& options) : limit_(options), budget_(options.budget) {}
+  template <class Options>
+  explicit SharedWork(const Options&& options) = delete;
+
+  /// Counts a step. Why the work has to end now, and stays ended; null if it may go on.
+  const char* step() {
+    if (reason_) return reason_;
+    if (++steps_ % kAskEvery == 0) reason_ = limit_.reached();
+    if (steps_ > budget_) reason_ = "the budget is spent";
+    return reason_;
+  }
+
+  /// Why it ended; null if it did not.
+  const char* reason() const { return reason_; }
+
+ private:
+  WorkLimit limit_;
+  long budget_, steps_ = 0;
   const char* reason_ = nullptr;
 };
 

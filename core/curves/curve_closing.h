@@ -14,9 +14,10 @@ inline constexpr const char* kContactsWithinTolerance = "contacts within toleran
 /// Takes points and places back from the origin, and lets counts and status tell what was found.
 ///
 /// approximate   says what is only an approximation; nullptr: nothing is
+/// stopped       says why the search or what follows it ended early; nullptr: it did not
 template <class Result, class Findings>
 void close_search(Result& result, const Findings& found, const Vec3& origin,
-                  const char* approximate) {
+                  const char* approximate, const char* stopped) {
   for (auto& point : result.points) point.point += origin;
   for (auto& place : result.places) {
     place.box_low += origin;
@@ -30,7 +31,7 @@ void close_search(Result& result, const Findings& found, const Vec3& origin,
   };
   if (!result.places.empty()) weaken(Status::Tolerance, kContactsWithinTolerance);
   if (approximate != nullptr) weaken(Status::Tolerance, approximate);
-  if (found.stopped) weaken(Status::Stopped, found.stopped);
+  if (stopped != nullptr) weaken(Status::Stopped, stopped);
 }
 
 }  // namespace blossom

@@ -67,7 +67,8 @@ CurveIntersection meet(CurveTree& a, CurveTree& b, const Vec3& origin, double er
   certificate.contacts = static_cast<long>(found.contacts.size());
   certificate.depth = std::max(a.depth(), b.depth());
   certificate.rounding_bound = std::max(a.largest_margin(), b.largest_margin());
-  close_search(result, found, origin, error > 0 ? "a curve is an approximation" : nullptr);
+  close_search(result, found, origin, error > 0 ? "a curve is an approximation" : nullptr,
+               found.stopped);
   return result;
 }
 

@@ -95,7 +95,7 @@ CurveFindings CurveSearch::run(const std::vector<SharedSpans>& shared) {
   add_spans();
   const WorkLimit limit(options_);
   for (long count = 1; !pairs_.empty(); ++count) {
-    if (count % kAskEvery == 0) found_.stopped = limit.reached();
+    if (count % SharedWork::kAskEvery == 0) found_.stopped = limit.reached();
     if (count > options_.budget) found_.stopped = "the budget is spent";
     if (found_.stopped) break;
     const auto [index_a, index_b] = pairs_.back();

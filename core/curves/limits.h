@@ -5,10 +5,6 @@
 
 namespace blossom {
 
-/// Pairs of cells between two looks at the clock, which takes as long as one of them. A choice: a
-/// pair takes some microseconds, so a search is late by a millisecond at most.
-inline constexpr long kAskEvery = 256;
-
 /// Of a span's parameter: a place this far outside of a cell is on its border. Four operations
 /// round a parameter below 1 by less than 5e-16; a choice of some twenty times that, since both
 /// cells may claim a place, and only one of them has to.

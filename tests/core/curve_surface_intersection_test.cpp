@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/work_limit.h"
 #include "core/forms/algebra/degree.h"
 #include "core/forms/evaluation.h"
 #include "tests/support/curves.h"
@@ -251,7 +253,50 @@ TEST(CurveSurfaceIntersection, SpendsItsBudgetOnceOnPiecesAndPointsTogether) {
   options.cancelled = count;
   intersect(bezier({{0.3, 0, 0}, {1.7, 0, 0}}), collapsed, options);
   EXPECT_GT(asked, 0);
-  EXPECT_LE(asked, options.budget / 256);  // asked once in so many steps
+  EXPECT_LE(asked, options.budget / SharedWork::kAskEvery);
+}
+
+// The line runs along a collapsed patch, down to its smallest cells, and then pierces a plane one.
+TEST(CurveSurfaceIntersection, PiecesLeaveMostOfTheBudgetToThePoints) {
+  BezierSurface surface;
+  surface.u_knots = {0, 1, 2};
+  surface.v_knots = {0, 1};
+  surface.patches = Grid<RationalBezierPatch>(2, 1);
+  surface.patches(0, 0) = bilinear({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0});
+  surface.patches(1, 0) = bilinear({3, -1, -1}, {3, 1, -1}, {3, -1, 1}, {3, 1, 1});
+  IntersectionOptions options;
+  options.budget = 1000;
+  const auto found = intersect(bezier({{0.3, 0, 0}, {4, 0, 0}}), surface, options);
+  EXPECT_EQ(found.status, Status::Stopped);
+  EXPECT_EQ(std::ranges::count_if(found.points,
+                                  [](const CurveSurfacePoint& x) {
+                                    return x.proven && std::abs(x.point[0] - 3) < 1e-12;
+                                  }),
+            1);
+}
+
+// Closer looks at contacts, here of third order, come last: they find a single point instead, or
+// prove a gap beside it.
+TEST(CurveSurfaceIntersection, SaysThatTheBudgetEndedWhereverItDoes) {
+  for (const double height : {3e-8, -1e-7}) {
+    const CurveSpans curve = bezier({{0.1, 0.4, height + 0.125},
+                                     {0.4, 0.4, height - 0.125},
+                                     {0.6, 0.4, height + 0.125},
+                                     {0.9, 0.4, height - 0.125}});
+    const auto whole = intersect(curve, plane());
+    IntersectionOptions options;
+    options.budget = 1;
+    auto found = intersect(curve, plane(), options);
+    for (; found.status == Status::Stopped; found = intersect(curve, plane(), options)) {
+      EXPECT_EQ(found.certificate.reasons.back(), "the budget is spent");
+      ASSERT_LE(++options.budget, 100000);
+    }
+    EXPECT_EQ(found.status, whole.status);
+    EXPECT_EQ(found.points.size(), whole.points.size());
+    ASSERT_EQ(found.places.size(), whole.places.size());
+    for (std::size_t i = 0; i < whole.places.size(); ++i)
+      EXPECT_EQ(found.places[i].gap_low, whole.places[i].gap_low);
+  }
 }
 
 TEST(CurveSurfaceIntersection, RefusesBadInput) {

@@ -30,8 +30,9 @@ bool is_graph(const Cell& cell) {
 
 class PieceFinder {
  public:
-  PieceFinder(const CurveTree& curve, SurfaceTrees& surface, SharedWork& work, double tolerance)
-      : curve_(curve), surface_(surface), work_(work), tolerance_(tolerance) {}
+  PieceFinder(const CurveTree& curve, SurfaceTrees& surface, SharedWork& work, long most,
+              double tolerance)
+      : curve_(curve), surface_(surface), work_(work), steps_left_(most), tolerance_(tolerance) {}
 
   void examine(int span, const Interval& t, int depth) {
     const auto point = [&](double part) { return curve_.jet({span, at(t, part)}).point; };
@@ -79,9 +80,9 @@ class PieceFinder {
     return true;
   }
 
-  /// Where the surface is within the tolerance of a point; none once the work is spent. A surface
-  /// that is folded or collapsed there is no graph in any of its cells, however small: they are as
-  /// many as there are down to the tolerance.
+  /// Where the surface is within the tolerance of a point; none once the work or the steps are
+  /// spent. A surface that is folded or collapsed there is no graph in any of its cells, however
+  /// small: they are as many as there are down to the tolerance.
   std::vector<SurfaceFoot> feet_near(const Vec3& point) {
     std::vector<SurfaceFoot> feet;
     for (int patch = 0; patch < surface_.count(); ++patch) {
@@ -114,13 +115,14 @@ class PieceFinder {
   }
 
   bool may_split() {
-    is_spent_ = work_.step() != nullptr;
+    is_spent_ = is_spent_ || steps_left_-- <= 0 || work_.step() != nullptr;
     return !is_spent_;
   }
 
   const CurveTree& curve_;
   SurfaceTrees& surface_;
   SharedWork& work_;
+  long steps_left_;
   double tolerance_;
   bool is_spent_ = false;
   std::vector<int> cells_;  // that feet_near has to look at; kept for its memory
@@ -148,8 +150,8 @@ SurfaceFoot foot_on(const SurfaceTrees& surface, int patch, const Vec2& start, c
 }
 
 std::vector<CurveInSurface> pieces_in_surface(const CurveTree& curve, SurfaceTrees& surface,
-                                              SharedWork& work, double tolerance) {
-  PieceFinder finder(curve, surface, work, tolerance);
+                                              SharedWork& work, long most, double tolerance) {
+  PieceFinder finder(curve, surface, work, most, tolerance);
   for (int span = 0; span < curve.spans(); ++span) finder.examine(span, {0, 1}, 0);
   return std::move(finder.found);
 }

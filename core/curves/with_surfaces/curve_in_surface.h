@@ -18,10 +18,12 @@ struct CurveInSurface {
   double gap = 0;             ///< bound on the distance along it, model units
 };
 
-/// All such pieces down to a 64th of a span, in order; where the work ends, those that were found
-/// till then.
+/// All such pieces down to a 64th of a span, in order; where the work or the steps end, those that
+/// were found till then. What is missing is left to the search, which proves no runs.
+///
+/// most   steps of the work, at most
 std::vector<CurveInSurface> pieces_in_surface(const CurveTree& curve, SurfaceTrees& surface,
-                                              SharedWork& work, double tolerance);
+                                              SharedWork& work, long most, double tolerance);
 
 /// A place of the surface within the tolerance of a point.
 struct SurfaceFoot {

@@ -81,13 +81,6 @@ std::optional<CurveSurfaceParameters> curve_surface_point(const CurveTree& curve
   return std::nullopt;
 }
 
-const char* SharedWork::step() {
-  if (reason_) return reason_;
-  if (++steps_ % kAskEvery == 0) reason_ = limit_.reached();
-  if (steps_ > budget_) reason_ = "the budget is spent";
-  return reason_;
-}
-
 CurveSurfaceSearch::CurveSurfaceSearch(CurveTree& curve, SurfaceTrees& surface, SharedWork& work,
                                        double tolerance)
     : curve_(curve),

@@ -65,24 +65,6 @@ struct CurveSurfaceFindings {
   const char* stopped = nullptr;  ///< why
 };
 
-/// What all parts of one intersection may spend together: budget and time of its options.
-class SharedWork {
- public:
-  /// The time limit begins to run.
-  /// options   kept by reference
-  explicit SharedWork(const IntersectionOptions& options)
-      : limit_(options), budget_(options.budget) {}
-  explicit SharedWork(IntersectionOptions&&) = delete;
-
-  /// Counts a step. Why the work has to end now, and stays ended; null if it may go on.
-  const char* step();
-
- private:
-  WorkLimit limit_;
-  long budget_, steps_ = 0;
-  const char* reason_ = nullptr;
-};
-
 class CurveSurfaceSearch {
  public:
   CurveSurfaceSearch(CurveTree& curve, SurfaceTrees& surface, SharedWork& work, double tolerance);
