@@ -299,6 +299,20 @@ TEST(CurveSurfaceIntersection, SaysThatTheBudgetEndedWhereverItDoes) {
   }
 }
 
+// Derivatives along the trapezoid's parallel sides differ much: bounds by them reach beyond it.
+TEST(CurveSurfaceIntersection, ARunEndsAtTheSlantedSidesOfATrapezoid) {
+  const BezierSurface trapezoid =
+      one_patch(bilinear({0, 0, 0}, {1.5, 2, 0}, {4, 0, 0}, {2.5, 2, 0}));
+  const auto run = intersect(bezier({{2, 1, 0}, {4, 1, 0}}), trapezoid);
+  ASSERT_EQ(run.overlaps.size(), 1U);
+  EXPECT_TRUE(run.points.empty());
+  EXPECT_NEAR(run.overlaps[0].t.to, 0.625, 1e-6);
+  const auto beside = intersect(bezier({{3.5, 1, 0}, {4.5, 1, 0}}), trapezoid);
+  EXPECT_TRUE(beside.overlaps.empty());
+  EXPECT_TRUE(beside.points.empty());
+  EXPECT_EQ(beside.status, Status::Complete);
+}
+
 TEST(CurveSurfaceIntersection, RefusesBadInput) {
   EXPECT_THROW(intersect(CurveSpans{}, plane()), InvalidInput);
   EXPECT_THROW(intersect(parabola_over_plane(0), BezierSurface{}), InvalidInput);

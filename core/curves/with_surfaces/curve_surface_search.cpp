@@ -141,10 +141,10 @@ void CurveSurfaceSearch::examine(const Pair& pair) {
       is_place || !in_slab ? Over::All : over(c, s, surface_[pair.patch].patch());
   if (over_cell == Over::None)
     ++found_.excluded;
-  else if (is_place || (in_slab && (over_cell == Over::All || c.extent <= least)))
+  else if (is_place || (in_slab && over_cell == Over::All))
     found_.contacts.push_back(contact(pair));
   else
-    halve(pair, in_slab || c.extent >= s.extent);
+    halve(pair, in_slab ? over_cell == Over::Part : c.extent >= s.extent);
 }
 
 void CurveSurfaceSearch::halve(const Pair& pair, bool curve) {
@@ -170,26 +170,32 @@ bool CurveSurfaceSearch::within_slab(const CurveCell& c, const Cell& s) const {
 // Which part of a curve in the slab of a cell is over it, by its heights along the rows a and b
 // that invert the middle derivatives: for a place (u, v) of the cell, from its middle on,
 //   a . (S - S_middle) = u +- turn / 2,   turn = sum |a_k| (rad S_u + rad S_v)_k
-// Where these turn too much for that, all of it may be.
+// So nothing of the cell is beyond (1 + turn) / 2, and all up to (1 - turn) / 2 is covered: a
+// smaller cell tells of what is between, unless that is within the tolerance. A curve as short as
+// the tolerance is over the cell where a part of it is.
 CurveSurfaceSearch::Over CurveSurfaceSearch::over(const CurveCell& c, const Cell& s,
                                                   const RationalBezierPatch& patch) const {
   const Vec3 &u = s.du.middle, &v = s.dv.middle, across = cross(u, v);
   const double area = dot(across, across);
   if (!(area > 0) || !std::isfinite(1 / area)) return Over::All;
   const Vec3 middle = jet_at(patch, at(s.u, 0.5), at(s.v, 0.5), 1).point;
-  Over whole = Over::All;
+  const double least = tolerance_ + 8 * (c.margin + s.margin);
+  bool is_part = false, is_known = true, is_sharp = true;
   for (const Vec3& row : {cross(v, across) * (1 / area), cross(across, u) * (1 / area)}) {
-    const double size = norm(row);
+    const double size = norm(row), slack = size * least;
     double turn = 0;
     for (int k = 0; k < 3; ++k) turn += std::abs(row[k]) * (s.du.radius[k] + s.dv.radius[k]);
-    const double reach = 0.5 * (1 + turn) + size * (tolerance_ + 8 * (c.margin + s.margin));
+    const double reach = 0.5 * (1 + turn) + slack, covered = turn <= slack ? reach : reach - turn;
     const ValueRange heights = range_along(c, 3, row * (1 / size));
     const double from = size * heights.low - dot(row, middle),
                  to = size * heights.high - dot(row, middle);
     if (from > reach || to < -reach) return Over::None;
-    if (from < -reach || to > reach) whole = Over::Part;
+    is_part = is_part || from < -reach || to > reach;
+    is_sharp = is_sharp && turn <= slack;
+    is_known = is_known && from >= -covered && to <= covered;
   }
-  return whole;
+  if (is_part && c.extent > least) return Over::Part;
+  return is_known || is_sharp || s.extent <= least ? Over::All : Over::Unknown;
 }
 
 VectorBounds CurveSurfaceSearch::derivative(const CurveCell& c) const {

@@ -89,7 +89,7 @@ class CurveSurfaceSearch {
   void halve(const Pair& pair, bool curve);
   bool separated(const CurveCell& c, const Cell& s) const;
   bool within_slab(const CurveCell& c, const Cell& s) const;
-  enum class Over { All, Part, None };
+  enum class Over { All, Part, None, Unknown };
   Over over(const CurveCell& c, const Cell& s, const RationalBezierPatch& patch) const;
   bool is_inside(const CurveCell& c, const Pair& pair, const Cell& s) const;
   VectorBounds derivative(const CurveCell& c) const;
