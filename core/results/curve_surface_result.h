@@ -22,7 +22,9 @@ struct CurveSurfacePoint {
   Interval box_t;  ///< parameters, increasing
 };
 
-/// A run of the curve within tolerance of the surface.
+/// A run of the curve within tolerance of the surface. Where it begins or ends, and where patches
+/// join, a stretch no longer than a touch may belong to it of which `gap_high` and `proven` do not
+/// tell: there they are a few tolerances apart at most.
 struct CurveSurfaceOverlap {
   Interval t;           ///< increasing
   Vec2 uv_from, uv_to;  ///< at its ends

@@ -313,6 +313,30 @@ TEST(CurveSurfaceIntersection, ARunEndsAtTheSlantedSidesOfATrapezoid) {
   EXPECT_EQ(beside.status, Status::Complete);
 }
 
+// The line leaves the patch where a piece of it ends that is proven; it stays within the tolerance
+// a little farther.
+TEST(CurveSurfaceIntersection, ATouchAtItsEndLeavesAProvenRunAsItIs) {
+  const auto found = intersect(bezier({{0, 0.5, 0}, {2, 0.5, 0}}), plane());
+  ASSERT_EQ(found.overlaps.size(), 1U);
+  EXPECT_NEAR(found.overlaps[0].t.to, 0.5, 1e-6);
+  EXPECT_TRUE(found.overlaps[0].proven);
+  EXPECT_LE(found.overlaps[0].gap_high, 1e-12);
+}
+
+TEST(CurveSurfaceIntersection, RunsOnBothSidesOfAnotherAreOneWithIt) {
+  BezierSurface surface;  // the join is no end of a piece
+  surface.u_knots = {0, 0.49, 1};
+  surface.v_knots = {0, 1};
+  surface.patches = Grid<RationalBezierPatch>(2, 1);
+  surface.patches(0, 0) = bilinear({0, 0, 0}, {0, 1, 0}, {0.49, 0, 0}, {0.49, 1, 0});
+  surface.patches(1, 0) = bilinear({0.49, 0, 0}, {0.49, 1, 0}, {1, 0, 0}, {1, 1, 0});
+  const auto found = intersect(bezier({{0, 0.5, 0}, {1, 0.5, 0}}), surface);
+  ASSERT_EQ(found.overlaps.size(), 1U);
+  EXPECT_EQ(found.overlaps[0].t, (Interval{0, 1}));
+  EXPECT_EQ(found.overlaps[0].uv_to, (Vec2{1, 0.5}));
+  EXPECT_TRUE(found.points.empty());
+}
+
 TEST(CurveSurfaceIntersection, RefusesBadInput) {
   EXPECT_THROW(intersect(CurveSpans{}, plane()), InvalidInput);
   EXPECT_THROW(intersect(parabola_over_plane(0), BezierSurface{}), InvalidInput);

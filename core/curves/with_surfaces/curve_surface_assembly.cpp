@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/curves/contact_length.h"
 #include "core/curves/overlap_place.h"
@@ -21,6 +22,16 @@ constexpr double kCloser = 1. / 16;  // the tolerances of closer looks fall by t
 constexpr double kMinCloser = 32;    // times the rounding: below, a closer look tells no more
 constexpr double kAtEnd = 1e-6;      // of a run
 constexpr double kSafeGap = 0.9;     // of the gap found, which is proven to be there
+
+// Of two runs that meet.
+CurveSurfaceOverlap joined(const CurveSurfaceOverlap& a, const CurveSurfaceOverlap& b) {
+  const CurveSurfaceOverlap &first = a.t.from <= b.t.from ? a : b, &last = a.t.to >= b.t.to ? a : b;
+  return {{first.t.from, last.t.to},
+          first.uv_from,
+          last.uv_to,
+          std::max(a.gap_high, b.gap_high),
+          a.proven && b.proven};
+}
 
 }  // namespace
 
@@ -250,27 +261,24 @@ void CurveSurfaceAssembly::add_run(const Interval& run,
                                  trees_.parameters(last.patch, last.uv),
                                  *std::max_element(gaps.begin(), gaps.end()) + margin_, false};
   const bool is_run = run_length > touch_length_ && is_common_run(gaps, tolerance_, margin_);
-  const auto beside = std::ranges::find_if(overlaps_, [&](const CurveSurfaceOverlap& known) {
+  const auto meets = [&](const CurveSurfaceOverlap& known) {
     return known.t.from <= run.to && run.from <= known.t.to;
-  });
-  if (beside != overlaps_.end() && (is_run || run_length <= touch_length_))
-    return extend(*beside, made);
-  if (!is_run) return add_touch(run, pieces, run_length);
-  overlaps_.push_back(made);
-}
-
-// A run goes on as far as the curve keeps within the tolerance.
-void CurveSurfaceAssembly::extend(CurveSurfaceOverlap& run, const CurveSurfaceOverlap& by) {
-  if (by.t.from < run.t.from) {
-    run.t.from = by.t.from;
-    run.uv_from = by.uv_from;
+  };
+  const bool is_short = run_length <= touch_length_;
+  if (!is_run && !(is_short && std::ranges::any_of(overlaps_, meets)))
+    return add_touch(run, pieces, run_length);
+  // What is short tells nothing of the runs beside it, as they are said to be.
+  std::optional<CurveSurfaceOverlap> whole;
+  for (const CurveSurfaceOverlap& known : overlaps_)
+    if (meets(known)) whole = whole ? joined(*whole, known) : known;
+  std::erase_if(overlaps_, meets);
+  if (!whole) return overlaps_.push_back(made);
+  CurveSurfaceOverlap all = joined(*whole, made);
+  if (is_short) {
+    all.gap_high = whole->gap_high;
+    all.proven = whole->proven;
   }
-  if (by.t.to > run.t.to) {
-    run.t.to = by.t.to;
-    run.uv_to = by.uv_to;
-  }
-  run.gap_high = std::max(run.gap_high, by.gap_high);
-  run.proven = false;
+  overlaps_.push_back(all);
 }
 
 double CurveSurfaceAssembly::root_between(double from, double to,

@@ -56,7 +56,6 @@ class CurveSurfaceAssembly {
   bool in_one_run(const Candidate& p, const Candidate& q) const;
   CloserLook look_closer(const std::vector<CurveSurfaceContact>& pieces);
   void add_run(const Interval& run, const std::vector<CurveSurfaceContact>& pieces);
-  static void extend(CurveSurfaceOverlap& run, const CurveSurfaceOverlap& by);
   void add_touch(const Interval& run, const std::vector<CurveSurfaceContact>& pieces,
                  double length);
   void add_least(const Interval& run, const Candidate& whole,
