@@ -9,8 +9,10 @@
 
 namespace blossom::occt {
 
-/// Whether what is not proven of a result may come from where arcs of the surfaces are cut.
+/// Whether what is not proven of a result may come from where arcs of the surfaces are cut: a place
+/// whose parameters are not known may. The seam of a whole turn is no such line: it stays where it
+/// is, however the arcs are cut.
 bool may_be_of_arc_lines(const SurfaceIntersection& found, const BezierSurface& a,
-                         const BezierSurface& b);
+                         const BezierSurface& b, double tolerance);
 
 }  // namespace blossom::occt
