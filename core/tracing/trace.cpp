@@ -135,15 +135,10 @@ void ChainTracer::find_node(std::size_t side, double rounding) {
   const double gap = norm(apart);
   if (!(gap <= rounding && on_link(index, side == 0 ? 0 : 1).sine <= kRoundedSine)) return;
   const double station = side == 0 ? 0 : stations_.back(), most = 0.5 * stations_.back();
-  double reach = std::min(kMinReach * (stations_[index + 1] - stations_[index]), most);
-  const auto turns = [&] {
-    return at(std::abs(station - reach), side == 0).sine * reach * kTurned < gap;
-  };
-  while (turns()) {
-    if (reach == most) return;  // no hyperbola: the surfaces are as good as parallel all the way
-    reach = std::min(2 * reach, most);
-  }
-  nodes_[side] = {station, apart, reach};
+  double reach = kMinReach * (stations_[index + 1] - stations_[index]);
+  while (reach < most && at(std::abs(station - reach), side == 0).sine * reach * kTurned < gap)
+    reach *= 2;
+  nodes_[side] = {station, apart, std::min(reach, most)};
 }
 
 Vec3 ChainTracer::apart_in(const FoundArc& arc, const Point4& x) const {
