@@ -273,22 +273,19 @@ SurfaceIntersection PairIntersector::between(std::size_t i, std::size_t j,
 }
 
 // A curve that touches the line between two spans of an arc may stay open there, or look like a
-// contact of the surfaces; the line is our own choice, so it is put elsewhere then. What is still
-// special then, beside the lines that can be put elsewhere, is believed: at a seam, which cannot,
-// it may still be of our own.
+// contact of the surfaces; the line is our own choice, so it is put elsewhere then. Not the seam of
+// a whole turn: there both have theirs.
 SurfaceIntersection PairIntersector::found_between(std::size_t i, std::size_t j,
                                                    const std::vector<SharedEdge>& edges) const {
   const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
   SurfaceIntersection found = intersect(a.surface, b.surface, options_for(a, b, edges));
-  const double tolerance = options_.tolerances.point;
-  if (found.certificate.limited || !may_be_of_arc_lines(found, a.surface, b.surface, tolerance))
+  if (found.certificate.limited ||
+      !may_be_of_arc_lines(found, a.surface, b.surface, options_.tolerances.point))
     return found;
-  const BezierSurface shifted_a = faces_a_.with_shifted_arcs(i),
-                      shifted_b = faces_b_.with_shifted_arcs(j);
-  SurfaceIntersection again = intersect(shifted_a, shifted_b, options_for(a, b, edges));
-  if (again.status == Status::Stopped) return found;
-  const bool settles = found.status == Status::Stopped ||
-                       !may_be_of_arc_lines(again, shifted_a, shifted_b, tolerance);
+  SurfaceIntersection again = intersect(faces_a_.with_shifted_arcs(i),
+                                        faces_b_.with_shifted_arcs(j), options_for(a, b, edges));
+  const bool settles = found.status == Status::Stopped ? again.status != Status::Stopped
+                                                       : again.status == Status::Complete;
   return settles ? again : found;
 }
 

@@ -28,7 +28,6 @@
 #include <gp_Dir.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
-#include <gp_Vec.hxx>
 
 #include "adapters/occt/solid_trim.h"
 #include "tests/adapters/occt/solids/solid_contacts.h"
@@ -128,21 +127,6 @@ TEST(TrimSolidsNearlyInContact, IsRightOrRefusedBeyondTheTolerance) {
     const double found = fused.obstacles.empty() ? fused.volumes.back().fuse : 2;
     EXPECT_NEAR(found, 2, std::abs(off));
   }
-}
-
-// The node lies on lines between the spans that arcs are cut into, beside which it looks like a
-// cusp.
-TEST(TrimSolidsNearlyInContact, ATubeThroughARingOfItsRadiusDoesNotDependOnOurLines) {
-  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(3, 1).Shape();
-  const auto common_when_moved = [&](const gp_Vec& by) {
-    const gp_Ax2 along(gp_Pnt(0, 3, -3).Translated(by), gp_Dir(0, 0, 1), gp_Dir(1, 0, 0));
-    const TopoDS_Shape tube = BRepPrimAPI_MakeCylinder(along, 1, 6).Shape();
-    const SolidTrimResult made =
-        trim_solids(trim_tool(ring), {trim_tool(tube)}, SolidOperation::Common);
-    EXPECT_TRUE(made.obstacles.empty()) << made.obstacles.front();
-    return made.total.result;
-  };
-  EXPECT_NEAR(common_when_moved({6e-10, 1e-9, 1.4e-9}), common_when_moved({0, 0, 0}), 1e-6);
 }
 
 // Where edges touch, cuts meet them in the place that the edges know, however near they run.
