@@ -14,12 +14,13 @@
 #include "core/curves/contact_length.h"
 #include "core/curves/curve_assembly.h"
 #include "core/curves/shared_curve.h"
+#include "core/math/functions/golden_section.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kReachStep = 0.125;  // of a run
-constexpr int kSections = 50;         // golden ones, of a part of a run
+constexpr double kNearest = 1e-12;    // of a run: where curves are nearest to each other
 constexpr int kDeepest = 10;          // halvings of a piece between knots, to prove how near it is
 constexpr double kAtKnot = 1e-12;     // of a span
 constexpr double kMinEven = 0.1;      // of a piece of b: as near an end its middle's foot may be
@@ -251,24 +252,15 @@ void CurveAssembly::join_overlaps() {
 
 // Where the curves are nearest to each other along a run, near a sample of it.
 CurveAssembly::Candidate CurveAssembly::nearest_in(const CurveOverlap& run, double sample) const {
-  constexpr double kGolden = 0.6180339887498949, kStep = 1.0 / (kSamples - 1);
-  const auto gap_at = [&](double part) { return norm(foot_of(run, part).gap()); };
-  double low = std::max(0.0, sample - kStep), high = std::min(1.0, sample + kStep);
-  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
-  double at_left = gap_at(left), at_right = gap_at(right);
+  constexpr double kStep = 1.0 / (kSamples - 1);
+  const Interval around{std::max(0.0, sample - kStep), std::min(1.0, sample + kStep)};
   // Where both gaps are roundings, so is all between.
-  for (int k = 0; k < kSections && std::max(at_left, at_right) > margin_; ++k) {
-    if (at_left < at_right) {
-      high = std::exchange(right, left);
-      at_right = at_left;
-      at_left = gap_at(left = high - kGolden * (high - low));
-    } else {
-      low = std::exchange(left, right);
-      at_left = at_right;
-      at_right = gap_at(right = low + kGolden * (high - low));
-    }
-  }
-  return candidate(foot_of(run, 0.5 * (left + right)));
+  const auto is_nearest = [&](const Interval& left, const LeastBracket& gaps) {
+    return length(left) <= kNearest || std::max(gaps.at_from, gaps.at_to) <= margin_;
+  };
+  const LeastBracket found = least_bracket(
+      [&](double part) { return norm(foot_of(run, part).gap()); }, around, is_nearest);
+  return candidate(foot_of(run, at(found.places, 0.5)));
 }
 
 void CurveAssembly::add_run(const CurveContact& contact) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -18,6 +17,7 @@
 
 #include "adapters/occt/convert/curve_breaks.h"
 #include "adapters/occt/convert/edge_charts.h"
+#include "core/math/functions/golden_section.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -28,7 +28,7 @@ constexpr int kMinSamples = 96;
 constexpr double kShift = 0.381966;    // of samples, as a part of their distance
 constexpr int kMinSamplesOfArcs = 16;  // of sines and cosines once and twice a turn
 constexpr double kStraight = 1e-9;     // sine: a line in the chart that runs along a direction
-constexpr int kRefinements = 40;  // golden sections: the place to 1e-8 of two samples' distance
+constexpr double kRefined = 1e-8;      // of the distance of two samples: where a gap is largest
 constexpr int kNewtonSteps = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -137,15 +137,10 @@ double largest(const std::vector<double>& places, const Function& value_at, doub
       most = value;
       best = i;
     }
-  Interval around{places[best > 0 ? best - 1 : 0], places[std::min(best + 1, places.size() - 1)]};
-  for (int i = 0; i < kRefinements && most >= least && std::isfinite(most); ++i) {
-    constexpr double kGolden = 1 / std::numbers::phi;
-    const double low = at(around, 1 - kGolden), high = at(around, kGolden);
-    const double at_low = value_at(low), at_high = value_at(high);
-    most = std::max({most, at_low, at_high});
-    (at_low > at_high ? around.to : around.from) = at_low > at_high ? high : low;
-  }
-  return most;
+  const Interval around{places[best > 0 ? best - 1 : 0],
+                        places[std::min(best + 1, places.size() - 1)]};
+  if (most < least || !std::isfinite(most)) return most;
+  return std::max(most, extremum(value_at, around, -1, kRefined).value);
 }
 
 void add_end(const TopoDS_Vertex& vertex, const gp_Pnt& end, EdgeGaps& gaps) {

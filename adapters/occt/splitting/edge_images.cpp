@@ -28,12 +28,14 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "core/forms/quintic_spline.h"
+#include "core/math/functions/golden_section.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr int kEdgeSamples = 64;  // of an edge, to see where it lies on the other surface
-constexpr int kHalvings = 48;     // of the interval between two samples, for the end of a run
+constexpr int kEdgeSamples = 64;    // of an edge, to see where it lies on the other surface
+constexpr int kHalvings = 48;       // of the interval between two samples, for the end of a run
+constexpr double kNearest = 1e-10;  // of the same interval: where a curve is nearest to a border
 constexpr int kNewtonSteps = 4;
 constexpr int kMinPieces = 16, kMaxPieces = 512;  // between knots of a fitted run
 constexpr double kFitShare = 0.1;                 // of the tolerance
@@ -251,23 +253,8 @@ double CurveBeside::run_end(double on, double off, RunLimits limits) const {
 
 // Where between two parameters the curve is nearest to the border, or farthest past it.
 double CurveBeside::least_clearance(Interval around) const {
-  constexpr double kGolden = 0.381966011250105;
-  Interval inner{at(around, kGolden), at(around, 1 - kGolden)};
-  double from = standing(inner.from).clearance, to = standing(inner.to).clearance;
-  for (int i = 0; i < kHalvings; ++i) {
-    if (from < to) {
-      around.to = inner.to;
-      inner = {at(around, kGolden), inner.from};
-      to = from;
-      from = standing(inner.from).clearance;
-    } else {
-      around.from = inner.from;
-      inner = {inner.to, at(around, 1 - kGolden)};
-      from = to;
-      to = standing(inner.to).clearance;
-    }
-  }
-  return from < to ? inner.from : inner.to;
+  const auto clearance = [&](double t) { return standing(t).clearance; };
+  return extremum(clearance, around, 1, kNearest).place;
 }
 
 bool CurveBeside::is_one_run(double reach, double past) const {

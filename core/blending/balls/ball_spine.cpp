@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/blending/balls/detail/golden_section.h"
 #include "core/forms/algebra/interpolation.h"
+#include "core/math/functions/golden_section.h"
 #include "core/math/functions/sign_change.h"
 
 namespace blossom {
@@ -88,7 +88,7 @@ void CuspSearch::isolate(const Coefficients& c, const Interval& range, double er
   if (rises || falls) return add_zero(range);
   if (bends_up || bends_down) {
     const auto f = [&](double p) { return determinant_at(track_, support_, p); };
-    const double turn = extremum(f, range, bends_up ? 1 : -1, kExtremum);
+    const double turn = extremum(f, range, bends_up ? 1 : -1, kExtremum).place;
     add_zero({range.from, turn});
     return add_zero({turn, range.to});
   }
@@ -209,7 +209,7 @@ BallPinch tightest_of(const BallTrack& track) {
       if (factors[i] > factors[before] || factors[i] > factors[after]) continue;
       if (factors[i] == factors[before] && factors[i] == factors[after]) continue;
       const Interval range{nodes[before].parameter, nodes[after].parameter};
-      const double least = parabolic_least(factor, range, extremum(about, range, 1, kCoarse));
+      const double least = parabolic_least(factor, range, extremum(about, range, 1, kCoarse).place);
       note(least, factor(least));
     }
   }

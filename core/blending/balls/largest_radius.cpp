@@ -10,7 +10,7 @@
 #include "core/base/errors.h"
 #include "core/blending/balls/ball_spine.h"
 #include "core/blending/balls/detail/ball_equations.h"
-#include "core/blending/balls/detail/golden_section.h"
+#include "core/math/functions/golden_section.h"
 #include "core/math/linear_solve.h"
 
 namespace blossom {
@@ -135,7 +135,7 @@ double place_of_least(const BallTrack& track, const Function& f) {
   }
   if (best == 0 || best + 1 == parameters.size()) return parameters[best];
   Interval range{parameters[best - 1], parameters[best + 1]};
-  return extremum([&](double p) { return f(track.at(p)); }, range, 1, kNearLeast);
+  return extremum([&](double p) { return f(track.at(p)); }, range, 1, kNearLeast).place;
 }
 
 Candidate RadiusSearch::border_candidate(const BallTrack& track, int border) const {

@@ -9,6 +9,7 @@
 
 #include "core/base/errors.h"
 #include "core/blending/continuity/edge_frame.h"
+#include "core/math/functions/golden_section.h"
 
 namespace blossom {
 namespace {
@@ -24,8 +25,7 @@ constexpr double kInside = 1e-6;
 /// digits.
 constexpr double kSingular = 1e-7;
 
-constexpr int kRefinements = 40;  // golden sections: the place to 1e-8 of two samples' distance
-constexpr double kGolden = 0.381966011250105;
+constexpr double kRefined = 1e-8;  // of the distance of two samples: where a figure is largest
 constexpr int kNewtonSteps = 8;
 constexpr double kOfRounding = 0x1p-50;  // of a coordinate: no nearer point can be told
 
@@ -164,18 +164,7 @@ class Largest {
 
 /// Golden sections for the largest value of a figure in a range.
 void refine(Largest& largest, std::size_t figure, Interval range) {
-  const auto value = [&](double t) { return largest.look(t)[figure]; };
-  double low = at(range, kGolden), high = at(range, 1 - kGolden);
-  double at_low = value(low), at_high = value(high);
-  for (int step = 0; step < kRefinements; ++step) {
-    const bool keep_low = at_low > at_high;
-    (keep_low ? range.to : range.from) = keep_low ? high : low;
-    (keep_low ? high : low) = keep_low ? low : high;
-    (keep_low ? at_high : at_low) = keep_low ? at_low : at_high;
-    double& t = keep_low ? low : high;
-    t = at(range, keep_low ? kGolden : 1 - kGolden);
-    (keep_low ? at_low : at_high) = value(t);
-  }
+  extremum([&](double t) { return largest.look(t)[figure]; }, range, -1, kRefined);
 }
 
 /// Between the neighbours of the largest sample, in its span.
