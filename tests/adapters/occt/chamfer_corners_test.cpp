@@ -332,6 +332,27 @@ TEST(ChamferOfARoundedPlate, FillsCornersWhereBordersOfArcsWouldTurnBack) {
   }
 }
 
+// Where bores cross, edges are splines in two parts, which go on in each other.
+TEST(ChamferOfCrossingBores, IsMadeOfAnyDistance) {
+  const gp_Ax2 along(gp_Pnt(-60, 0, 0), gp::DX());
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-50, -30, -30), gp_Pnt(50, 30, 40)).Shape();
+  const TopoDS_Shape bored = BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeCylinder(along, 17, 120));
+  const TopoDS_Shape crossed = BRepAlgoAPI_Cut(bored, BRepPrimAPI_MakeCylinder(11, 60));
+  const auto crossing = convex_edges(crossed, [](const EdgeFacts& each) {
+    return std::hypot(each.middle[1], each.middle[2]) < 17.1 && std::abs(each.middle[0]) < 12;
+  });
+  ASSERT_FALSE(crossing.empty());
+  double last = 0;
+  for (const double d : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0}) {
+    const FilletResult made = chamfered(crossed, crossing, d);
+    testing::expect_sound(made);
+    ASSERT_FALSE(HasFailure()) << d;
+    const double taken = made.volume_before - made.solids.front().volume;
+    EXPECT_GT(taken, last);
+    last = taken;
+  }
+}
+
 // The middle of the steps, which go beyond the edge by some distances, is rounded to 0.
 TEST(ChamferRefuses, DistancesBesideWhichTheEdgeIsNothing) {
   const TopoDS_Shape bar = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 10, 10).Shape(),

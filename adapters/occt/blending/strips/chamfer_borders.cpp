@@ -8,6 +8,8 @@
 #include <vector>
 
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_Conic.hxx>
+#include <Geom_Line.hxx>
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/fillet_refusal.h"
@@ -95,13 +97,19 @@ class BorderFit {
  public:
   explicit BorderFit(const Chamfering& of) : of_(of) {}
 
-  void add(const Interval& range, int halvings);
+  /// throws   FilletRefused where there are no borders, or no smooth ones
+  void add(const Interval& range);
+
+  /// As far as there are smooth borders, to where the range goes; it may run backwards.
+  void add_past_end(const Interval& range);
+
   FittedBorders borders();
 
  private:
-  BorderRow row(double x) const;
-  Piece piece(const Interval& range) const;
-  double error(const Piece& piece) const;
+  std::optional<BorderRow> row(double x) const;
+  std::optional<Piece> piece(const Interval& range) const;
+  bool is_near(const Piece& piece) const;
+  std::optional<double> add(const Interval& range, int halvings, std::vector<Piece>& pieces) const;
   BorderRow rate_before(std::size_t joint) const;
   BorderRow rate_after(std::size_t joint) const;
   bool is_smooth(std::size_t joint) const;
@@ -111,46 +119,74 @@ class BorderFit {
   std::vector<Piece> pieces_;
 };
 
-BorderRow BorderFit::row(double x) const {
+std::optional<BorderRow> BorderFit::row(double x) const {
   const auto both = of_.at_edge(x);
-  if (!both) of_.refuse("a face has no point at the chamfer's distance from the edge", x);
+  if (!both) return std::nullopt;
   const auto& [a, b] = *both;
-  return {a.point[0], a.point[1], a.point[2], a.uv[0], a.uv[1],
-          b.point[0], b.point[1], b.point[2], b.uv[0], b.uv[1]};
+  return BorderRow{a.point[0], a.point[1], a.point[2], a.uv[0], a.uv[1],
+                   b.point[0], b.point[1], b.point[2], b.uv[0], b.uv[1]};
 }
 
-Piece BorderFit::piece(const Interval& range) const {
+std::optional<Piece> BorderFit::piece(const Interval& range) const {
   std::array<BorderRow, kBorderDegree + 1> values;
-  for (int i = 0; i <= kBorderDegree; ++i)
-    values[static_cast<std::size_t>(i)] = row(at(range, node(i)));
-  return {range, bezier_through(values)};
+  for (int i = 0; i <= kBorderDegree; ++i) {
+    const auto known = row(at(range, node(i)));
+    if (!known) return std::nullopt;
+    values[static_cast<std::size_t>(i)] = *known;
+  }
+  return Piece{range, bezier_through(values)};
 }
 
-double BorderFit::error(const Piece& piece) const {
-  double largest = 0;
+bool BorderFit::is_near(const Piece& piece) const {
   for (int k = 0; k < kBorderDegree; ++k) {
     const double t = node(k + 0.5);
-    const BorderRow made = row_at(piece, t), wanted = row(at(piece.range, t));
+    const BorderRow made = row_at(piece, t);
+    const auto wanted = row(at(piece.range, t));
+    if (!wanted) return false;
     for (const std::size_t side : {0U, 1U}) {
       const Vec3 point = side_point(made, side);
       const Vec3 image = frame_at(of_.surfaces[side], side_chart(made, side)).point;
-      largest =
-          std::max({largest, distance(point, side_point(wanted, side)), distance(point, image)});
+      if (!(distance(point, side_point(*wanted, side)) <= kFitError) ||
+          !(distance(point, image) <= kFitError))
+        return false;
     }
   }
-  return largest;
+  return true;
 }
 
-void BorderFit::add(const Interval& range, int halvings) {
-  const Piece made = piece(range);
-  if (error(made) <= kFitError) {
-    pieces_.push_back(made);
-    return;
+// Pieces from `range.from` on, by halves; where they end before the other end, a place there.
+std::optional<double> BorderFit::add(const Interval& range, int halvings,
+                                     std::vector<Piece>& pieces) const {
+  const auto made = piece(range);
+  if (made && is_near(*made)) {
+    pieces.push_back(*made);
+    return std::nullopt;
   }
   const double middle = at(range, 0.5);
-  if (halvings == 0) of_.refuse("the chamfer's border on a face is no smooth curve", middle);
-  add({range.from, middle}, halvings - 1);
-  add({middle, range.to}, halvings - 1);
+  if (halvings == 0) return middle;
+  const auto ended = add({range.from, middle}, halvings - 1, pieces);
+  return ended ? ended : add({middle, range.to}, halvings - 1, pieces);
+}
+
+void BorderFit::add(const Interval& range) {
+  const auto ended = add(range, kMaxHalvings, pieces_);
+  if (!ended) return;
+  of_.refuse(row(*ended) ? "the chamfer's border on a face is no smooth curve" : kNoBorderPoint,
+             *ended);
+}
+
+void BorderFit::add_past_end(const Interval& range) {
+  std::vector<Piece> found;
+  add(range, kMaxHalvings, found);
+  if (range.from <= range.to) {
+    pieces_.insert(pieces_.end(), found.begin(), found.end());
+    return;
+  }
+  for (Piece& each : found) {
+    std::swap(each.range.from, each.range.to);
+    std::ranges::reverse(each.points);
+  }
+  pieces_.insert(pieces_.begin(), found.rbegin(), found.rend());
 }
 
 BorderRow BorderFit::rate_before(std::size_t joint) const {
@@ -197,6 +233,7 @@ FittedBorders BorderFit::borders() {
                                       : kBorderDegree);
   }
   FittedBorders made;
+  made.range = {knots.front(), knots.back()};
   for (const std::size_t side : {0U, 1U}) {
     made.rows[side] = {kBorderDegree, knots, multiplicities, {}};
     made.charts[side] = {kBorderDegree, knots, multiplicities, {}};
@@ -208,9 +245,9 @@ FittedBorders BorderFit::borders() {
   return made;
 }
 
-// Where the edge's curve is less than smooth, and where it ends.
+// The ends of a range of the edge, and where its curve is less than smooth between them.
 std::vector<double> breaks_of(const Chamfering& of, const Interval& range) {
-  std::vector<double> breaks{range.from, range.to, of.domain.from, of.domain.to};
+  std::vector<double> breaks{range.from, range.to};
   if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(of.curve); !spline.IsNull())
     for (int i = 1; i <= spline->NbKnots(); ++i) breaks.push_back(spline->Knot(i));
   std::erase_if(breaks, [&](double x) { return x < range.from || x > range.to; });
@@ -220,6 +257,21 @@ std::vector<double> breaks_of(const Chamfering& of, const Interval& range) {
   });
   breaks.erase(rest.begin(), rest.end());
   return breaks;
+}
+
+// The directions at a place past an edge's end. Nothing where the way has turned too far.
+std::optional<EdgePlace> turned(const EdgePlace& end, EdgePlace place,
+                                const std::array<Vec3, 2>& normals, const Vec3& crossing) {
+  place.along = unit(dot(crossing, end.along) > 0 ? crossing : -crossing);
+  if (dot(place.along, end.along) < std::cos(kMaxTurn)) return std::nullopt;
+  for (const std::size_t k : {0U, 1U}) {
+    const EdgeSide& from = end.sides[k];
+    EdgeSide& side = place.sides[k];
+    side.normal = dot(normals[k], from.normal) > 0 ? normals[k] : -normals[k];
+    const Vec3 inwards = unit(cross(side.normal, place.along));
+    side.inwards = dot(inwards, from.inwards) > 0 ? inwards : -inwards;
+  }
+  return place;
 }
 
 }  // namespace
@@ -249,40 +301,82 @@ std::optional<BorderPoint> Chamfering::solved(
   return std::nullopt;
 }
 
-std::optional<std::array<BorderPoint, 2>> Chamfering::at_edge(double x) const {
-  const double inside = std::clamp(x, domain.from, domain.to);
-  gp_Pnt p;
-  gp_Vec rate;
-  curve->D1(x, p, rate);
-  const Vec3 origin = vec(p.XYZ()), along = unit(vec(rate.XYZ()));
-  std::array<BodyEdges::Corner, 2> corners;
-  std::array<Vec2, 2> charts;
+EdgePlace Chamfering::on_edge(double x) const {
+  EdgePlace place{vec(curve->Value(x).XYZ()), unit(vec(curve->DN(x, 1))), {}};
   for (const std::size_t k : {0U, 1U}) {
     const EdgeUseInFace& use = body.use(edge, k == 0);
-    corners[k] = body.corner(use, inside);
-    const Vec2 chart = point_at(use.coedge->curve, inside), scale = body.trims(use.face).scale;
-    charts[k] = {chart[0] / scale[0], chart[1] / scale[1]};
+    const BodyEdges::Corner corner = body.corner(use, x);
+    const Vec2 chart = point_at(use.coedge->curve, x), scale = body.trims(use.face).scale;
+    place.sides[k] = {corner.normal, corner.inwards, {chart[0] / scale[0], chart[1] / scale[1]}};
   }
+  return place;
+}
+
+// The point of both surfaces, and of the plane across the edge's end at a way from it: the tangent
+// planes at the feet of the last point, and that plane, meet in the next one.
+std::optional<EdgePlace> Chamfering::past_end(const EdgePlace& end, double way) const {
+  const Vec3 goal = end.point + way * end.along;
+  const double enough = kConverged * std::abs(way) + kPointNoise * norm(goal);
+  EdgePlace place{goal, end.along, end.sides};
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    std::array<Vec3, 2> normals, points;
+    double off = 0;
+    for (const std::size_t k : {0U, 1U}) {
+      Vec2& uv = place.sides[k].uv;
+      const SurfaceJet last = frame_at(surfaces[k], uv);
+      uv += chart_step(last, place.point - last.point);
+      const SurfaceJet at = frame_at(surfaces[k], uv);
+      points[k] = at.point;
+      normals[k] = unit(cross(at.du, at.dv));
+      off = std::max(off, distance(at.point, place.point));
+    }
+    const Vec3 crossing = cross(normals[0], normals[1]);
+    const double volume = dot(crossing, end.along);
+    if (!std::isfinite(off) || !std::isfinite(volume) || volume == 0) return std::nullopt;
+    if (off <= enough) return turned(end, place, normals, crossing);
+    place.point = (1 / volume) * (dot(normals[0], points[0]) * cross(normals[1], end.along) +
+                                  dot(normals[1], points[1]) * cross(end.along, normals[0]) +
+                                  dot(end.along, goal) * crossing);
+  }
+  return std::nullopt;
+}
+
+std::optional<EdgePlace> Chamfering::place_at(double x) const {
+  const double inside = std::clamp(x, domain.from, domain.to);
+  EdgePlace place = on_edge(inside);
+  if (x == inside) return place;
+  const bool is_exact =
+      !Handle(Geom_Line)::DownCast(curve).IsNull() || !Handle(Geom_Conic)::DownCast(curve).IsNull();
+  if (!is_exact) return past_end(place, (x - inside) * curve->DN(inside, 1).Magnitude());
+  place.point = vec(curve->Value(x).XYZ());
+  place.along = unit(vec(curve->DN(x, 1)));
+  return place;
+}
+
+std::optional<std::array<BorderPoint, 2>> Chamfering::at_edge(double x) const {
+  const auto place = place_at(x);
+  if (!place) return std::nullopt;
+  const Vec3 &origin = place->point, &along = place->along;
+  const std::array<EdgeSide, 2>& sides = place->sides;
   std::array<double, 2> reach = profile.distance;
   const std::size_t given = profile.given, other = 1 - given;
   if (profile.angle) {
     // The triangle of the tangent planes.
-    const double opening =
-        std::acos(std::clamp(dot(corners[0].inwards, corners[1].inwards), -1., 1.));
+    const double opening = std::acos(std::clamp(dot(sides[0].inwards, sides[1].inwards), -1., 1.));
     const double rest = std::numbers::pi - *profile.angle - opening;
-    if (rest <= 0) refuse("the chamfer at that angle does not meet the other face", inside);
+    if (rest <= 0) refuse("the chamfer at that angle does not meet the other face", x);
     reach[other] = reach[given] * std::sin(*profile.angle) / std::sin(rest);
   }
   std::array<BorderPoint, 2> found;
   for (const std::size_t k : {given, other}) {
-    const SurfaceJet frame = frame_at(surfaces[k], charts[k]);
-    const Vec3 step = origin + reach[k] * corners[k].inwards - frame.point;
-    const Vec2 start = charts[k] + chart_step(frame, step);
+    const SurfaceJet frame = frame_at(surfaces[k], sides[k].uv);
+    const Vec3 step = origin + reach[k] * sides[k].inwards - frame.point;
+    const Vec2 start = sides[k].uv + chart_step(frame, step);
     std::optional<BorderPoint> made;
     if (k == other && profile.angle) {
       const double turn = concave ? 1 : -1;
-      const Vec3 chord = -std::cos(*profile.angle) * corners[given].inwards +
-                         turn * std::sin(*profile.angle) * corners[given].normal;
+      const Vec3 chord = -std::cos(*profile.angle) * sides[given].inwards +
+                         turn * std::sin(*profile.angle) * sides[given].normal;
       const Vec3 normal = unit(cross(along, chord)), from = found[given].point;
       made = solved(
           k, start, along,
@@ -308,9 +402,12 @@ std::optional<std::array<BorderPoint, 2>> Chamfering::at_edge(double x) const {
 
 FittedBorders fitted_borders(const Chamfering& of, const Interval& range) {
   BorderFit fit(of);
-  const std::vector<double> breaks = breaks_of(of, range);
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-    fit.add({breaks[i], breaks[i + 1]}, kMaxHalvings);
+  const Interval inside{std::max(range.from, of.domain.from), std::min(range.to, of.domain.to)};
+  const std::vector<double> breaks = breaks_of(of, inside);
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) fit.add({breaks[i], breaks[i + 1]});
+  for (const Interval& past : {Interval{inside.from, range.from}, Interval{inside.to, range.to}})
+    if (is_span({std::min(past.from, past.to), std::max(past.from, past.to)}, range))
+      fit.add_past_end(past);
   return fit.borders();
 }
 

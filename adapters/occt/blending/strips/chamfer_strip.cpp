@@ -39,13 +39,8 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kChamferBeyond = 4;  // distances: how far open strips go on past the edge
-// Radians: past the end of an arc borders are looked for from their points at the end, which after
-// a quarter of a turn is as near to where they are as to the opposite point of a round face.
-constexpr double kMaxTurn = 1;
-constexpr double kSameForm = 1e-9;  // of the distance: borders that are lines and circles
-constexpr int kSteps = 16;          // along the edge, by which it is seen how far borders go
-
-constexpr const char* kNoPoint = "a face has no point at the chamfer's distance from the edge";
+constexpr double kSameForm = 1e-9;    // of the distance: borders that are lines and circles
+constexpr int kSteps = 16;            // along the edge, by which it is seen how far borders go
 
 struct Borders {
   std::vector<double> at;
@@ -59,7 +54,7 @@ Borders borders_over(const Chamfering& of, const Interval& wanted, int steps) {
     const double x = at(wanted, static_cast<double>(i) / steps);
     const auto both = of.at_edge(x);
     const bool on_edge = x >= of.domain.from && x <= of.domain.to;
-    if (!both && on_edge) of.refuse(kNoPoint, x);
+    if (!both && on_edge) of.refuse(kNoBorderPoint, x);
     if (!both && x > of.domain.to) break;
     if (!both) {
       made = {};
@@ -69,7 +64,7 @@ Borders borders_over(const Chamfering& of, const Interval& wanted, int steps) {
     for (const std::size_t k : {0U, 1U}) made.points[k].push_back((*both)[k]);
   }
   if (made.at.empty())  // the steps are so large that none is on the edge
-    of.refuse(kNoPoint, at(of.domain, 0.5));
+    of.refuse(kNoBorderPoint, at(of.domain, 0.5));
   return made;
 }
 
@@ -138,7 +133,7 @@ void set_fitted(const Chamfering& of, const Interval& range, RolledStrip& strip)
   const FittedBorders borders = fitted_borders(of, range);
   const Handle(Geom_BSplineCurve) left = to_occt(borders.rows[0]), right = to_occt(borders.rows[1]);
   strip.surface = ruled(left, right);
-  strip.range = range;
+  strip.range = borders.range;
   set_contact(of, borders, 0, left, strip);
   set_contact(of, borders, 1, right, strip);
 }
@@ -170,7 +165,9 @@ void add_border(const Chamfering& of, std::size_t side, const Handle(Geom_Curve)
     const SurfaceProjector feet(of.body.face(number), Precision::Confusion());
     chart = image_of(curve, strip.range, feet, middle.uv, Precision::Confusion()).chart;
   } else {
-    chart = to_occt(fitted_borders(of, strip.range).charts[side]);
+    const FittedBorders borders = fitted_borders(of, strip.range);
+    strip.range = borders.range;
+    chart = to_occt(borders.charts[side]);
   }
   strip.contacts[side] = {number, curve, chart, w};
 }
