@@ -33,6 +33,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
+#include <gp_Circ.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
@@ -350,6 +351,29 @@ TEST(ChamferOfCrossingBores, IsMadeOfAnyDistance) {
     const double taken = made.volume_before - made.solids.front().volume;
     EXPECT_GT(taken, last);
     last = taken;
+  }
+}
+
+// Beside its upper circle the sides of such a loft go on smoothly in the vertices alone: an edge
+// between two of them begins there.
+TEST(ChamferOfALoft, GoesRoundItsCircleOverTheEdgesThatBeginThere) {
+  BRepBuilderAPI_MakePolygon square(gp_Pnt(-20, -20, 0), gp_Pnt(20, -20, 0), gp_Pnt(20, 20, 0),
+                                    gp_Pnt(-20, 20, 0), Standard_True);
+  BRepBuilderAPI_MakeWire circle;
+  const gp_Circ round(gp_Ax2(gp_Pnt(0, 0, 40), gp::DZ()), 12);
+  for (int i = 0; i < 4; ++i)
+    circle.Add(BRepBuilderAPI_MakeEdge(round, (i - 1.5) * kPi / 2, (i - 0.5) * kPi / 2));
+  BRepOffsetAPI_ThruSections loft(Standard_True, Standard_True);
+  loft.AddWire(square);
+  loft.AddWire(circle);
+  const TopoDS_Shape shape = loft.Shape();
+  const auto upper = convex_edges(
+      shape, [](const EdgeFacts& each) { return std::abs(each.middle[2] - 40) < 1e-6; });
+  ASSERT_GE(upper.size(), 4U);
+  for (const double d : {0.01, 0.1, 0.5, 2.0, 5.0}) {
+    const FilletResult made = chamfered(shape, {upper.front()}, d);
+    testing::expect_sound(made);
+    EXPECT_EQ(made.edges.size(), upper.size()) << d;
   }
 }
 

@@ -124,28 +124,6 @@ bool BallWalker::grow_past(WalkedStrip& of, double t, int ahead) const {
   return true;
 }
 
-// How far apart in t places are that count as one.
-double BallWalker::same_place(const WalkedStrip& of, double t) const {
-  double speed = 0;
-  for (const RolledContact& each : of.strip.contacts)
-    speed = std::max(speed, each.curve->DN(t, 1).Magnitude());
-  return kSamePlace * options_.tolerance / speed;
-}
-
-// Both contacts at once, where they go over smooth edges at one place.
-WalkExit BallWalker::over_edges(const WalkedStrip& of, std::size_t side,
-                                const ContactCrossing& first,
-                                const std::optional<ContactCrossing>& other) const {
-  WalkExit found{first.t, {}, false, 0, held_by(of)};
-  found.over[side] = first;
-  if (!other || !is_smooth_at(body_, *other)) return found;
-  WalkExit both = found;
-  both.over[1 - side] = other;
-  const double speed =
-      of.strip.contacts[contact_at(of, 1 - side)].curve->DN(found.t, 1).Magnitude();
-  return std::abs(other->t - found.t) * speed <= reach_at(of, both) ? both : found;
-}
-
 // The end of a strip that narrows to a point in the last vertex of the run, if its contacts go over
 // no edge before.
 std::optional<WalkExit> BallWalker::end_in_point(
@@ -181,9 +159,11 @@ WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double f
       first[k] = first_crossing(of, k, from, ahead, entered[k]);
       if (first[k] && (!side || is_nearer(first[k]->t, first[*side]->t))) side = k;
     }
+    const auto goes_over = [&](std::size_t k) {
+      return is_smooth_at(body_, *first[k]) || goes_on_across(of, *first[k], place, step);
+    };
     // Of two edges at one place the sharp one ends the strip, whatever is behind the other one.
-    if (side && first[1 - *side] && is_smooth_at(body_, *first[*side]) &&
-        !is_smooth_at(body_, *first[1 - *side]) &&
+    if (side && first[1 - *side] && goes_over(*side) && !goes_over(1 - *side) &&
         !is_nearer(first[*side]->t + ahead * same_place(of, first[*side]->t), first[1 - *side]->t))
       side = 1 - *side;
     if (const auto point = next ? std::nullopt : end_in_point(of, step, from, first)) return *point;
@@ -194,7 +174,7 @@ WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double f
       return {edge_end, {}, ends_shared};
     if (side && holds(of, first[*side]->t, *first[*side]))
       return onto_edge(of, *side, *first[*side], step);
-    if (side && !is_smooth_at(body_, *first[*side])) {
+    if (side && !goes_over(*side)) {
       if (may_grow_past && !first[1 - *side] && grow_past(of, first[*side]->t, ahead)) {
         may_grow_past = false;
         continue;

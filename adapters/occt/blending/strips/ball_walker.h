@@ -122,6 +122,8 @@ class BallWalker {
   WalkExit over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
                       const std::optional<ContactCrossing>& other) const;
   bool reaches(WalkedStrip& next, const WalkedStrip& of, double end, double reach, double& t) const;
+  bool goes_on_across(const WalkedStrip& of, const ContactCrossing& over, std::size_t place,
+                      int step) const;
   double reach_at(const WalkedStrip& of, const WalkExit& exit) const;
   std::pair<WalkedStrip, double> following(const WalkedStrip& of, const WalkExit& exit,
                                            std::size_t& place, int step);

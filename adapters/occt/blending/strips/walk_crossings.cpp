@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Where the contacts of a rolling ball leave their faces.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -69,6 +70,41 @@ std::optional<ContactCrossing> BallWalker::first_crossing(const WalkedStrip& of,
     if (!best || far < ahead * (best->t - from)) best = each;
   }
   return best;
+}
+
+// How far apart in t places are that count as one.
+double BallWalker::same_place(const WalkedStrip& of, double t) const {
+  double speed = 0;
+  for (const RolledContact& each : of.strip.contacts)
+    speed = std::max(speed, each.curve->DN(t, 1).Magnitude());
+  return kSamePlace * options_.tolerance / speed;
+}
+
+// Both contacts at once, where they go over smooth edges at one place.
+WalkExit BallWalker::over_edges(const WalkedStrip& of, std::size_t side,
+                                const ContactCrossing& first,
+                                const std::optional<ContactCrossing>& other) const {
+  WalkExit found{first.t, {}, false, 0, held_by(of)};
+  found.over[side] = first;
+  if (!other || !is_smooth_at(body_, *other)) return found;
+  WalkExit both = found;
+  both.over[1 - side] = other;
+  const double speed =
+      of.strip.contacts[contact_at(of, 1 - side)].curve->DN(found.t, 1).Magnitude();
+  return std::abs(other->t - found.t) * speed <= reach_at(of, both) ? both : found;
+}
+
+// Whether a chamfer goes on over an edge that begins in the vertex ahead of it. Its section in the
+// plane across a vertex in which the run goes on is that of both edges there, so faces need not go
+// on smoothly beside it.
+bool BallWalker::goes_on_across(const WalkedStrip& of, const ContactCrossing& over,
+                                std::size_t place, int step) const {
+  if (!options_.fillet.chamfer || !of.of_edge || !next_place(place, step)) return false;
+  const RunEdge& last = run_.edges[place];
+  const bool rises = of.forward == (step > 0);
+  const double end = rises ? of.strip.edge_range.to : of.strip.edge_range.from;
+  return begins_at(over.use->edge, {last.edge, last.forward != (step > 0)}) &&
+         std::abs(over.t - end) <= same_place(of, end);
 }
 
 // Where strips end at an edge, or lean on one, they are as near to each other as it is to its
