@@ -11,7 +11,6 @@
 #include "core/math/index.h"
 #include "core/regions/delaunay/constrained_delaunay.h"
 #include "core/tessellation/inner_points.h"
-#include "core/tessellation/limits.h"
 #include "core/tessellation/segment_gap.h"
 
 namespace blossom {
@@ -46,12 +45,11 @@ class FacetBuilder {
                const std::function<bool()>& ask)
       : ask_(ask),
         parted_(parted),
-        model_(model),
-        polylines_(polylines),
         surface_(surface),
         options_(options),
         polygon_(face, polylines),
-        density_(surface.density(polygon_.low, polygon_.high)) {}
+        density_(surface.density(polygon_.low, polygon_.high)),
+        corners_(model, polylines, surface, polygon_) {}
 
   FaceAttempt attempt(int round) {
     const bool last = round == kLastRound;
@@ -77,7 +75,8 @@ class FacetBuilder {
       return curved.empty() ? refused("its borders do not go round a region")
                             : FaceAttempt{std::move(curved), {}};
     }
-    take_corners(mesh);
+    // By the numbers of the triangulation; its far corners are nowhere.
+    corners_.take_polygon(index(mesh.point_count()));
     add_rows(mesh);
     divides_borders_ = !last;
     refine(mesh, faces_inside(mesh));
@@ -159,39 +158,9 @@ class FacetBuilder {
     return result;
   }
 
-  // By the numbers of the triangulation; its far corners have none.
-  void take_corners(const ConstrainedDelaunay& mesh) {
-    corners_.resize(index(mesh.point_count()));
-    moved_.assign(corners_.size(), 0);
-    poles_.assign(corners_.size(), -1);
-    for (const PolygonSide& side : polygon_.sides) {
-      if (side.segment.edge >= 0) continue;
-      const Vec2 d = absolute(polygon_.points[index(side.to)] - polygon_.points[index(side.from)]);
-      if (d[0] > 0 && d[1] > 0) continue;
-      poles_[index(side.from)] = poles_[index(side.to)] = d[0] > 0 ? 0 : 1;
-    }
-    for (std::size_t i = 0; i < polygon_.points.size(); ++i) {
-      const PointNormal frame = surface_.frame_at(polygon_.points[i]);
-      corners_[i] = {polygon_.origins[i], polygon_.points[i], point_of(polygon_.origins[i]),
-                     frame.normal};
-      moved_[i] = distance(frame.point, corners_[i].point);
-    }
-  }
-
-  Vec3 point_of(const EdgePoint& origin) const {
-    const EdgePolyline& line = polylines_[index(origin.edge)];
-    const ModelEdge& edge = model_.edges[index(origin.edge)];
-    if (origin.number == 0) return model_.vertices[index(edge.from)];
-    if (origin.number == line.segments()) return model_.vertices[index(edge.to)];
-    return line.points()[origin.number];
-  }
-
   int add_inner(ConstrainedDelaunay& mesh, const Vec2& uv, int face) {
     if (ask_ && ++added_ % kAskEvery == 0 && !ask_()) throw Stop{};
-    const PointNormal frame = surface_.frame_at(uv);
-    corners_.push_back({{}, uv, frame.point, frame.normal});
-    moved_.push_back(0);
-    poles_.push_back(-1);
+    corners_.add_inner(uv);
     return mesh.insert(scaled(uv), face);
   }
 
@@ -207,7 +176,7 @@ class FacetBuilder {
     const Face& face = mesh.faces()[index(number)];
     const Vec2 facets = facets_at(density_, uv);
     const auto counted = [&](int corner) {
-      const Vec2 d = corners_[index(corner)].uv - uv;
+      const Vec2 d = corners_.uv(corner) - uv;
       return Vec2{d[0] * facets[0], d[1] * facets[1]};
     };
     for (std::size_t k = 0; k < 3; ++k) {
@@ -223,71 +192,22 @@ class FacetBuilder {
   // Whether a point is farther from a border's chord than the border is: behind the chord, or
   // hardly before it, facets would fold over.
   bool is_beside(const Vec2& uv, int from, int to) const {
-    const FaceCorner& a = corners_[index(from)];
-    const FaceCorner& b = corners_[index(to)];
+    const FaceCorner& a = corners_[from];
+    const FaceCorner& b = corners_[to];
     const Vec3 middle = surface_.frame_at(0.5 * (a.uv + b.uv)).point;
     return segment_gap(surface_.frame_at(uv).point, a.point, b.point) >
            kSagitta * segment_gap(middle, a.point, b.point);
   }
 
-  Vec3 area_of(const std::array<int, 3>& corners) const {
-    const auto point = [&](std::size_t k) { return corners_[index(corners[k])].point; };
-    return cross(point(1) - point(0), point(2) - point(0));
+  double distance_of(const FacetTriangle& facet) const {
+    return surface_.facet_distance(corners_.parameters_of(facet), corners_.normal_at(facet));
   }
 
-  // That of the corner which the facet is most across to, however the surface turns under it.
-  Vec3 normal_at(const std::array<int, 3>& corners) const {
-    const Vec3 area = area_of(corners);
-    Vec3 best;
-    double most = -1;
-    for (const int corner : corners) {
-      const Vec3& n = corners_[index(corner)].normal;
-      const double along = std::abs(dot(n, area));
-      if (!(dot(n, n) > 0) || along <= most) continue;
-      best = n;
-      most = along;
-    }
-    return best;
+  double rough_distance(const FacetTriangle& facet) const {
+    return surface_.rough_distance(corners_.parameters_of(facet), corners_.normal_at(facet));
   }
 
-  double distance_of(const std::array<int, 3>& corners) const {
-    return surface_.facet_distance(parameters_of(corners), normal_at(corners));
-  }
-
-  // All points of a border at a pole are the same: the best one is beside the other corners.
-  std::array<Vec2, 3> parameters_of(const std::array<int, 3>& corners) const {
-    std::array<Vec2, 3> uv;
-    for (std::size_t k = 0; k < 3; ++k) uv[k] = corners_[index(corners[k])].uv;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int pole = poles_[index(corners[k])];
-      if (pole < 0) continue;
-      const int along = pole == 0 ? 0 : 1;
-      const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
-      if (poles_[index(corners[a])] >= 0 || poles_[index(corners[b])] >= 0) continue;
-      uv[k][along] = 0.5 * (uv[a][along] + uv[b][along]);
-    }
-    return uv;
-  }
-
-  bool is_small(const std::array<int, 3>& corners) const {
-    const Vec2& a = corners_[index(corners[0])].uv;
-    for (const int corner : corners)
-      for (int k = 0; k < 2; ++k)
-        if (std::abs(corners_[index(corner)].uv[k] - a[k]) >
-            kSmallestPart * (polygon_.high[k] - polygon_.low[k]))
-          return false;
-    return true;
-  }
-
-  double moved_of(const std::array<int, 3>& corners) const {
-    double most = 0;
-    for (const int corner : corners) most = std::max(most, moved_[index(corner)]);
-    return most;
-  }
-
-  Vec2 uv_of(const Face& face, std::size_t k) const {
-    return corners_[index(face.corner[k % 3])].uv;
-  }
+  Vec2 uv_of(const Face& face, std::size_t k) const { return corners_.uv(face.corner[k % 3]); }
 
   Vec2 middle_of(const Face& face) const {
     return (1.0 / 3) * (uv_of(face, 0) + uv_of(face, 1) + uv_of(face, 2));
@@ -298,13 +218,12 @@ class FacetBuilder {
   // is nearly straight, that middle is beside the third: the middle of the facet across the side
   // takes the flat one away.
   Vec2 dividing_point(const ConstrainedDelaunay& mesh, const Face& face) const {
-    double most =
-        kLongSide * surface_.rough_distance(parameters_of(face.corner), normal_at(face.corner));
+    double most = kLongSide * rough_distance(face.corner);
     Vec2 best = middle_of(face);
     for (std::size_t k = 0; k < 3; ++k) {
       if (face.fixed[k]) continue;
       const int a = face.corner[(k + 1) % 3], b = face.corner[(k + 2) % 3];
-      const double far = surface_.rough_distance(parameters_of({a, b, b}), normal_at({a, b, b}));
+      const double far = rough_distance({a, b, b});
       if (far <= most) continue;
       most = far;
       const Vec2 from = scaled(uv_of(face, k + 1)), to = scaled(uv_of(face, k + 2));
@@ -328,7 +247,7 @@ class FacetBuilder {
     std::vector<int> open;
     for (const int number : faces_inside(mesh)) {
       const Face face = mesh.faces()[index(number)];
-      if (is_flat(face.corner)) continue;
+      if (corners_.is_flat(face.corner)) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::optional<FacetSide> side = common_side(face, k);
         if (!side || !side->across || !parted_.contains(side->ends)) continue;
@@ -342,16 +261,11 @@ class FacetBuilder {
 
   // That opposite to a corner, if both its ends are on edges.
   std::optional<FacetSide> common_side(const Face& face, std::size_t k) const {
-    const EdgePoint& a = corners_[index(face.corner[(k + 1) % 3])].origin;
-    const EdgePoint& b = corners_[index(face.corner[(k + 2) % 3])].origin;
+    const EdgePoint& a = corners_[face.corner[(k + 1) % 3]].origin;
+    const EdgePoint& b = corners_[face.corner[(k + 2) % 3]].origin;
     if (a.edge < 0 || b.edge < 0) return {};
-    const auto [low, high] = std::minmax({common_point(a), common_point(b)});
+    const auto [low, high] = std::minmax({corners_.common_point(a), corners_.common_point(b)});
     return FacetSide{{low, high}, !face.fixed[k]};
-  }
-
-  CommonPoint common_point(const EdgePoint& origin) const {
-    const int vertex = vertex_of(origin);
-    return vertex >= 0 ? CommonPoint{-1, index(vertex)} : CommonPoint{origin.edge, origin.number};
   }
 
   void refine(ConstrainedDelaunay& mesh, std::vector<int> open) {
@@ -362,7 +276,9 @@ class FacetBuilder {
       open.pop_back();
       const double far = distance_of(face.corner);
       far_[index(number)] = far;
-      if (far <= surface_.allowed() || is_small(face.corner) || is_flat(face.corner)) continue;
+      if (far <= surface_.allowed() || corners_.is_small(face.corner) ||
+          corners_.is_flat(face.corner))
+        continue;
       if (divides_borders_ && note_flat_over_border(face)) continue;
       const Vec2 uv = dividing_point(mesh, face);
       // Rounding may put it a little beside the face.
@@ -386,7 +302,7 @@ class FacetBuilder {
       if (!face.fixed[k] || !is_flat_over(face, k)) continue;
       const int from = face.corner[(k + 1) % 3], to = face.corner[(k + 2) % 3];
       const std::optional<EdgeSegment> segment = segment_of(from, to);
-      if (!segment || is_small({from, to, to})) continue;
+      if (!segment || corners_.is_small({from, to, to})) continue;
       far_borders_.push_back(*segment);
       return true;
     }
@@ -408,28 +324,6 @@ class FacetBuilder {
     return found->second;
   }
 
-  // Corners that are one point in space make no facet.
-  bool is_flat(const std::array<int, 3>& triangle) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const EdgePoint& a = corners_[index(triangle[k])].origin;
-      const EdgePoint& b = corners_[index(triangle[(k + 1) % 3])].origin;
-      if (a.edge < 0 || b.edge < 0) continue;
-      if (vertex_of(a) >= 0 && vertex_of(a) == vertex_of(b)) return true;
-      if (a.edge == b.edge && a.number == b.number) return true;
-    }
-    return false;
-  }
-
-  int vertex_of(const EdgePoint& origin) const {
-    const ModelEdge& edge = model_.edges[index(origin.edge)];
-    if (origin.number == 0) return edge.from;
-    return origin.number == polylines_[index(origin.edge)].segments() ? edge.to : -1;
-  }
-
-  bool is_folded(const std::array<int, 3>& corners) const {
-    return dot(area_of(corners), normal_at(corners)) < 0;
-  }
-
   // Borders whose chords are behind the other corner of a facet, though it is in front of them in
   // the parameters; those round its corners if it has none itself. Halving a chord brings it nearer
   // to the border by a factor of 4.
@@ -441,18 +335,18 @@ class FacetBuilder {
         if (!face.fixed[(k + 2) % 3] || !face.inside) continue;
         const std::optional<EdgeSegment> segment = segment_of(from, to);
         if (!segment) continue;
-        if (distance(corners_[index(from)].point, corners_[index(to)].point) >
-            kShortFold * options_.deviation)
+        if (distance(corners_[from].point, corners_[to].point) > kShortFold * options_.deviation)
           splits.push_back(*segment);
       }
     };
     for (const Face& face : mesh.faces()) {
-      if (!face.inside || is_flat(face.corner) || !is_folded(face.corner)) continue;
+      if (!face.inside || corners_.is_flat(face.corner) || !corners_.is_folded(face.corner))
+        continue;
       const std::size_t before = splits.size();
       take_sides(face);
       if (splits.size() > before) continue;
       for (const int corner : face.corner)
-        if (corners_[index(corner)].origin.edge >= 0)
+        if (corners_[corner].origin.edge >= 0)
           mesh.for_each_face_at(corner, [&](int at) { take_sides(mesh.faces()[index(at)]); });
     }
     return splits;
@@ -465,18 +359,18 @@ class FacetBuilder {
     result.triangles.reserve(mesh.faces().size());
     for (std::size_t number = 0; number < mesh.faces().size(); ++number) {
       const Face& face = mesh.faces()[number];
-      if (!face.inside || is_flat(face.corner)) continue;
-      const double moved = moved_of(face.corner);
+      if (!face.inside || corners_.is_flat(face.corner)) continue;
+      const double moved = corners_.moved_of(face.corner);
       result.moved = std::max(result.moved, moved);
       result.distance = std::max(result.distance, far_[number] + moved);
-      result.folded += is_folded(face.corner);
+      result.folded += corners_.is_folded(face.corner);
       std::array<int, 3> triangle{};
       for (std::size_t k = 0; k < 3; ++k) {
         if (const auto side = common_side(face, k)) result.sides.push_back(*side);
         int& place = places[index(face.corner[k])];
         if (place < 0) {
           place = static_cast<int>(result.corners.size());
-          result.corners.push_back(corners_[index(face.corner[k])]);
+          result.corners.push_back(corners_[face.corner[k]]);
         }
         triangle[k] = place;
       }
@@ -489,19 +383,15 @@ class FacetBuilder {
   const std::function<bool()>& ask_;
   const std::set<CommonSide>& parted_;
   int added_ = 0;  // points inside
-  const ShapeModel& model_;
-  const std::vector<EdgePolyline>& polylines_;
   const ChartSurface& surface_;
   const FacetOptions& options_;
   FacePolygon polygon_;
   FacetDensity density_;
-  std::vector<FaceCorner> corners_;
-  std::vector<double> moved_;  // of each corner: from the surface
-  std::vector<double> far_;    // of each face inside, since it was refined last
+  FacetCorners corners_;
+  std::vector<double> far_;  // of each face inside, since it was refined last
   std::map<std::pair<int, int>, EdgeSegment> segments_;  // of sides, once they are asked for
   std::vector<EdgeSegment> far_borders_;
   bool divides_borders_ = false;  // or it is the last round
-  std::vector<int> poles_;        // of each corner: the parameter along the pole it is at, or -1
 };
 
 }  // namespace

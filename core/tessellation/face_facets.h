@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <functional>
 #include <set>
@@ -12,33 +11,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/math/vec.h"
 #include "core/tessellation/chart_surface.h"
 #include "core/tessellation/edge_polyline.h"
 #include "core/tessellation/face_borders.h"
+#include "core/tessellation/facet_corners.h"
 #include "core/tessellation/shape_model.h"
 
 namespace blossom {
 
-/// Corners of a face have parameters and a normal of their own there: a vertex on a seam is two
-/// corners, a pole several.
-struct FaceCorner {
-  EdgePoint origin;  ///< no edge for a point inside of the face
-  Vec2 uv;           ///< the surface's own parameters
-  Vec3 point;
-  Vec3 normal;  ///< unit, along S_u x S_v; zero where that vanishes
-};
-
-/// A point of edges, the same for all their faces: a vertex, by its number alone, or a point inside
-/// of an edge.
-struct CommonPoint {
-  int edge = -1;
-  std::size_t number = 0;
-
-  friend auto operator<=>(const CommonPoint&, const CommonPoint&) = default;
-};
-
-/// Two of them, the lower one first.
+/// Two points of edges, the lower one first.
 using CommonSide = std::pair<CommonPoint, CommonPoint>;
 
 /// A side of a facet between points of edges.
