@@ -16,8 +16,9 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-constexpr double kEqualNormals = 1e-9;  // radians: roundings of averages
-constexpr int kPlaces = 7;              // of a side at which normals are compared
+constexpr double kEqualNormals = 1e-9;       // radians: roundings of averages
+constexpr int kPlaces = 7;                   // of a side at which normals are compared
+constexpr std::size_t kAskTriangles = 1024;  // triangles
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(norm(cross(a, b)), dot(a, b));
@@ -186,12 +187,20 @@ void measure_sides(const MeshSides& sides, std::span<const CornerNormals> normal
 
 std::vector<CornerNormals> corner_normals(std::span<const Vec3> points,
                                           std::span<const std::array<int, 3>> triangles,
-                                          double crease) {
+                                          double crease, const std::function<void()>& ask) {
+  const auto step = [&ask](std::size_t t) {
+    if (ask && t % kAskTriangles == 0) ask();
+  };
   const MeshSides sides(points.size(), triangles);
   std::vector<Vec3> flat;
-  for (const std::array<int, 3>& t : triangles) flat.push_back(normal_of(corners_of(points, t)));
+  flat.reserve(triangles.size());
+  for (const std::array<int, 3>& t : triangles) {
+    step(flat.size());
+    flat.push_back(normal_of(corners_of(points, t)));
+  }
   DisjointSets corners(3 * triangles.size());  // corners at one point that have one normal
   for (std::size_t s = 0; s < sides.across.size(); ++s) {
+    if (s % 3 == 0) step(s / 3);
     const int other = sides.across[s], side = static_cast<int>(s);
     if (other < side || angle_between(flat[s / 3], flat[index(other / 3)]) >= crease) continue;
     // Where a side begins, and where it ends, which the other triangle has the other way.
@@ -202,6 +211,7 @@ std::vector<CornerNormals> corner_normals(std::span<const Vec3> points,
   }
   std::vector<Vec3> sums(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
+    step(t);
     const Corners p = corners_of(points, triangles[t]);
     for (std::size_t k = 0; k < 3; ++k)
       sums[corners.find(3 * t + k)] +=
@@ -222,7 +232,7 @@ SmoothMesh smooth_mesh(std::span<const Vec3> points, std::span<const std::array<
   SmoothMesh made;
   made.patches.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (ask && t % 1024 == 0) ask();
+    if (ask && t % kAskTriangles == 0) ask();
     const Corners p = corners_of(points, triangles[t]);
     Corners n = normals[t];
     for (Vec3& normal : n) normal = dot(normal, normal) > 0 ? unit(normal) : normal_of(p);

@@ -30,10 +30,11 @@ using CornerNormals = std::array<Vec3, 3>;
 /// turn by less than `crease`, weighted by their angles there. 0 where these cancel.
 ///
 /// crease   radians
+/// ask      asked now and then; may throw to end the work
 /// throws   InvalidInput if an index is out of range
 std::vector<CornerNormals> corner_normals(std::span<const Vec3> points,
                                           std::span<const std::array<int, 3>> triangles,
-                                          double crease);
+                                          double crease, const std::function<void()>& ask = {});
 
 struct SmoothMesh {
   /// Three for each triangle, in its order: over its sides from corner 0, 1 and 2, each with the

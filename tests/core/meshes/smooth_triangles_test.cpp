@@ -121,6 +121,20 @@ TEST(SmoothMesh, KeepsPlanesAndCreases) {
             0u);
 }
 
+struct Ended {};
+
+// Three times it goes through all triangles.
+TEST(SmoothMesh, LooksForNormalsUntilItIsEnded) {
+  const Surface round = ball(0);
+  for (int last = 1; last <= 3; ++last) {
+    int asked = 0;
+    const auto ask = [&] {
+      if (++asked == last) throw Ended{};
+    };
+    EXPECT_THROW(corner_normals(round.points, round.triangles, 0.7, ask), Ended) << last;
+  }
+}
+
 TEST(SmoothMesh, RefusesOtherNumbersOfNormals) {
   const Surface round = ball(0);
   EXPECT_THROW(smooth_mesh(round.points, round.triangles, {}), InvalidInput);

@@ -62,7 +62,7 @@ int write_smooth(const std::string& input, const meshes::FileMesh& mesh,
                  const CommonOptions& common, const MeshInputConversion& conversion) {
   const Stopwatch watch;
   const std::vector<CornerNormals> normals =
-      corner_normals(mesh.points, mesh.triangles, conversion.crease);
+      corner_normals(mesh.points, mesh.triangles, conversion.crease, stop_if_interrupted);
   const SmoothMesh smooth = smooth_mesh(mesh.points, mesh.triangles, normals, stop_if_interrupted);
   stop_if_interrupted();
   write_patches(nets_of(smooth, input), conversion, common.output);

@@ -116,7 +116,7 @@ Vec3 colour_of(const MeshColour& colour) {
 std::vector<PictureFaces> mesh_faces(const FileMesh& mesh, const std::string& name,
                                      const Vec3& colour, double opacity) {
   const std::vector<CornerNormals> normals =
-      corner_normals(mesh.points, mesh.triangles, kUsualCrease);
+      corner_normals(mesh.points, mesh.triangles, kUsualCrease, stop_if_interrupted);
   std::map<std::optional<MeshColour>, PictureFaces> groups;
   const auto add = [&](const std::string& label, const std::optional<MeshColour>& of,
                        std::size_t first, std::size_t end) {
