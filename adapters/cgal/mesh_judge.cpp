@@ -77,6 +77,7 @@ class Judge {
         return;
       const std::lock_guard guard(told_);
       ++found_.crossings;
+      found_.repeated += have_same_corners(triangles_[index(i)], triangles_[index(j)]);
       if (crossing_) crossing_(std::min(i, j), std::max(i, j));
       list({std::min(i, j), std::max(i, j)});
     });
@@ -93,6 +94,12 @@ class Judge {
     }
     listed.push_back(pair);
     std::ranges::push_heap(listed);
+  }
+
+  // Of triangles with three different corners.
+  static bool have_same_corners(const Triangle& a, const Triangle& b) {
+    return std::ranges::all_of(a,
+                               [&](int corner) { return std::ranges::find(b, corner) != b.end(); });
   }
 
   // Beyond the vertices that they share.

@@ -23,6 +23,7 @@ inline constexpr std::size_t kListedPairs = 1000;
 struct MeshVerdict : MeshFacts {
   std::size_t degenerate = 0;  ///< triangles with corners on a line or repeated
   std::size_t crossings = 0;   ///< pairs of triangles that meet beyond what they share
+  std::size_t repeated = 0;    ///< of these, pairs with the same corners, turned whichever way
   std::vector<std::array<int, 2>> crossing_pairs{};  ///< the first kListedPairs of them, by place
 };
 

@@ -97,6 +97,9 @@ std::string mesh_fill_text(const std::string& file, const FilledMesh& filled) {
     text << (filled.judged->closed() ? "  closed now, volume " : "  not closed");
     if (filled.judged->closed()) text << filled.judged->volume;
     text << ", " << counted(filled.judged->crossings, "pair") << " of triangles that cross\n";
+    if (filled.judged->turned_sides > 0)
+      text << "  " << counted(filled.judged->turned_sides, "side")
+           << " whose triangles are turned against each other, which is no hole\n";
   }
   return text.str() + notes_text(filled.mesh);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/meshes/mesh_info.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -46,8 +48,21 @@ std::string groups_text(const FileMesh& mesh) {
   return text.str();
 }
 
-std::string corner_text(const Vec3& corner) {
+constexpr int kDigits = 6;      // of a box's size that its corners have
+constexpr int kAllDigits = 17;  // of a number
+
+// Far from the origin corners need more digits than the box's size has.
+int digits_for(const Box& box) {
+  double largest = 0;
+  for (int k = 0; k < 3; ++k)
+    largest = std::max({largest, std::abs(box.low[k]), std::abs(box.high[k])});
+  const double more = std::ceil(std::log10(largest / diagonal(box)));
+  return more > 0 ? static_cast<int>(std::min<double>(kDigits + more, kAllDigits)) : kDigits;
+}
+
+std::string corner_text(const Vec3& corner, int digits) {
   std::ostringstream text;
+  text.precision(digits);
   text << "[" << corner[0] << ", " << corner[1] << ", " << corner[2] << "]";
   return text.str();
 }
@@ -86,6 +101,11 @@ std::string enclosed_text(const MeshFacts& facts) {
   return text.str();
 }
 
+std::string loose_text(const MeshFacts& facts, std::size_t triangles) {
+  if (triangles < 2 || facts.parts < triangles) return "";
+  return "  no two triangles have a side in common: where they meet, their points differ\n";
+}
+
 std::string mesh_info_text(const std::string& file, const FileMesh& mesh, const MeshFacts& facts,
                            bool groups) {
   const Box box = box_of_triangles(mesh);
@@ -97,14 +117,17 @@ std::string mesh_info_text(const std::string& file, const FileMesh& mesh, const 
   text << "\n  " << enclosed_text(facts);
   if (facts.closed()) text << ", area " << facts.area;
   if (facts.closed() && facts.volume < 0) text << ", turned inside out";
-  text << "\n  box: " << corner_text(box.low) << " to " << corner_text(box.high) << "\n";
+  const int digits = digits_for(box);
+  text << "\n  box: " << corner_text(box.low, digits) << " to " << corner_text(box.high, digits)
+       << "\n";
   const auto line = [&](std::size_t count, const char* what) {
     if (count > 0) text << "  " << counted(count, "side") << " " << what << "\n";
   };
   line(facts.open_sides, "of one triangle, or an odd number");
   line(facts.crowded_sides, "of more than two triangles");
   line(facts.turned_sides, "whose triangles are turned against each other");
-  return text.str() + (groups ? groups_text(mesh) : "") + notes_text(mesh);
+  return text.str() + loose_text(facts, mesh.triangles.size()) + (groups ? groups_text(mesh) : "") +
+         notes_text(mesh);
 }
 
 }  // namespace blossom::meshes

@@ -25,7 +25,7 @@ std::optional<JudgedMesh> judged_mesh(const FileMesh& mesh, const std::function<
                                       const std::function<void(int, int)>& crossing) {
   cgal::MeshVerdict found = cgal::judge_mesh(mesh.points, mesh.triangles, stop, crossing);
   return JudgedMesh{static_cast<MeshFacts&&>(found), found.degenerate, found.crossings,
-                    std::move(found.crossing_pairs)};
+                    found.repeated, std::move(found.crossing_pairs)};
 }
 #else
 std::optional<JudgedMesh> judged_mesh(const FileMesh&, const std::function<void()>&,
@@ -48,6 +48,7 @@ reports::Json mesh_check_report(const std::string& file, const FileMesh& mesh,
           {"turned_sides", found.turned_sides},
           {"degenerate", found.degenerate},
           {"crossings", found.crossings},
+          {"repeated", found.repeated},
           {"crossing_triangles", found.crossing_pairs},
           {"area", found.area},
           {"volume", found.closed() ? reports::Json(found.volume) : reports::Json(nullptr)},
@@ -74,14 +75,16 @@ std::string mesh_check_text(const std::string& file, const FileMesh& mesh,
   line(found.crowded_sides, "side", "of more than two triangles");
   line(found.turned_sides, "side", "whose triangles are turned against each other");
   line(found.degenerate, "triangle", "of no area");
-  line(found.crossings, "pair", "of triangles that cross");
+  const std::string repeated =
+      found.repeated > 0 ? ", " + std::to_string(found.repeated) + " with the same corners" : "";
+  line(found.crossings, "pair", ("of triangles that cross" + repeated).c_str());
   for (std::size_t k = 0; k < found.crossing_pairs.size() && k < kNamedPairs; ++k)
     text << "    triangles " << found.crossing_pairs[k][0] + 1 << " and "
          << found.crossing_pairs[k][1] + 1 << "\n";
   if (found.crossings > kNamedPairs)
     text << "    and " << found.crossings - kNamedPairs << " more\n";
   if (found.closed() && found.volume < 0) text << "  it is turned inside out\n";
-  return text.str() + notes_text(mesh);
+  return text.str() + loose_text(found, mesh.triangles.size()) + notes_text(mesh);
 }
 
 }  // namespace blossom::meshes

@@ -20,6 +20,7 @@ namespace blossom::meshes {
 struct JudgedMesh : MeshFacts {
   std::size_t degenerate = 0;
   std::size_t crossings = 0;
+  std::size_t repeated = 0;                          ///< of `crossings`
   std::vector<std::array<int, 2>> crossing_pairs{};  ///< the first of them
 
   bool sound() const {

@@ -189,13 +189,13 @@ Input read_input(const std::string& text, Faces need, reports::Repairing repair,
   InputName name = parse_input(text);
   if (nets::is_net_file(name.file) && cli::exists(name.file))
     throw occt::BadModel(name.file.string() +
-                         ": is of nets (.json), which subdivide and convert take alone; "
+                         ": is of nets (.json), which only subdivide and convert take; "
                          "`blossom convert` makes a model of them");
   if (meshes::is_mesh_file(name.file) && cli::exists(name.file))
     throw occt::BadModel(
         name.file.string() +
-        ": is of triangles, which info, check, intersect, query plane, query distance, "
-        "blend fill and convert take alone");
+        ": is of triangles, which only info, check, intersect, query plane, query distance, "
+        "blend fill and convert take");
   const bool is_written_only =
       (meshes::is_written_mesh_file(name.file) || meshes::is_glb_file(name.file)) &&
       !meshes::is_mesh_file(name.file);

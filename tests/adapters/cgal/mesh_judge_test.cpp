@@ -74,6 +74,15 @@ TEST(MeshVerdict, FindsCrossingsOfTrianglesThatShareNothingACornerOrASide) {
   EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 1, 2}}).crossings, 1u);
 }
 
+TEST(MeshVerdict, CountsTrianglesThatAreThereTwice) {
+  Triangles twice = kTetrahedron;
+  twice.push_back({kTetrahedron[0][1], kTetrahedron[0][0], kTetrahedron[0][2]});
+  const cgal::MeshVerdict found = cgal::judge_mesh(kCorners, twice);
+  EXPECT_EQ(found.crossings, 1u);
+  EXPECT_EQ(found.repeated, 1u);
+  EXPECT_EQ(cgal::judge_mesh(kCorners, kTetrahedron).repeated, 0u);
+}
+
 // As many pairs as the square of the triangles: memory must not grow with them.
 TEST(MeshVerdict, CountsAllCrossingsOfCoincidentTrianglesAndListsTheFirst) {
   const int n = 60;

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "adapters/occt/base/errors.h"
+#include "plugin/meshes/mesh_info.h"
+#include "plugin/meshes/mesh_judge.h"
 #include "plugin/meshes/mesh_parts.h"
 
 namespace blossom::meshes {
@@ -37,6 +39,39 @@ TEST(FilledMeshes, AreClosedAndTellTheirHoles) {
   if (!filled.judged) GTEST_SKIP() << "without CGAL";
   EXPECT_TRUE(filled.judged->sound());
   EXPECT_DOUBLE_EQ(filled.judged->volume, 1);
+}
+
+// Only the turned triangle keeps it from being closed.
+TEST(FilledMeshes, SayThatTurnedTrianglesAreNoHoles) {
+  FileMesh mesh = with_holes_filled(box(), {}).mesh;
+  std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
+  const FilledMesh filled = with_holes_filled(mesh, {});
+  EXPECT_TRUE(filled.holes.empty());
+  if (!filled.judged) GTEST_SKIP() << "without CGAL";
+  EXPECT_NE(mesh_fill_text("a.stl", filled)
+                .find("3 sides whose triangles are turned against each other, which is no hole"),
+            std::string::npos);
+}
+
+TEST(MeshInfo, HasBoxesWithTheDigitsOfTheirSize) {
+  FileMesh mesh = box();
+  for (Vec3& point : mesh.points) point = 10.0 * point + Vec3{1e7, 0, 0};
+  EXPECT_NE(mesh_info_text("a.stl", mesh, facts_of(mesh), false)
+                .find("box: [10000000, 0, 0] to [10000010, 10, 10]"),
+            std::string::npos);
+}
+
+TEST(MeshInfo, SaysWhereNoTwoTrianglesHaveASideInCommon) {
+  FileMesh mesh = box(), loose;
+  for (const std::array<int, 3>& triangle : mesh.triangles) {
+    const int first = static_cast<int>(loose.points.size());
+    for (const int corner : triangle)
+      loose.points.push_back(mesh.points[static_cast<std::size_t>(corner)]);
+    loose.triangles.push_back({first, first + 1, first + 2});
+  }
+  const char* const told = "no two triangles have a side in common";
+  EXPECT_NE(mesh_info_text("a.stl", loose, facts_of(loose), false).find(told), std::string::npos);
+  EXPECT_EQ(mesh_info_text("a.stl", mesh, facts_of(mesh), false).find(told), std::string::npos);
 }
 
 TEST(FilledMeshes, CountPointsAtOnePlaceAsOne) {
