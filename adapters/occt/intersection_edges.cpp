@@ -130,8 +130,10 @@ void add_borders(const TopoDS_Face& of, const IsBorder& is_border, const TopoDS_
 
 JoinedIntersection joined_intersection(const ShapeIntersection& found,
                                        const std::vector<TopoDS_Face>& a,
-                                       const std::vector<TopoDS_Face>& b) {
+                                       const std::vector<TopoDS_Face>& b,
+                                       const std::function<bool()>& cancelled) {
   IntersectionOptions options;
+  options.cancelled = cancelled;
   options.tolerances.point = found.tolerance;
   options.time_limit = found.time_limit;
   const SharedLimit limit(options);

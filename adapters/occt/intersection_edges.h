@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,12 @@ struct JoinedIntersection {
 /// are the borders: where faces end freely, or in a seam, or the region goes on in the next face,
 /// what of their edges lies in the other face, within the tolerance of the intersection. These are
 /// looked for within its time limit, once more.
-/// a, b     the lists that were intersected; one list twice for `self_intersect`
-/// throws   Failure if Open CASCADE refuses one
+/// a, b        the lists that were intersected; one list twice for `self_intersect`
+/// cancelled   asked now and then: borders that are not yet found are lost
+/// throws      Failure if Open CASCADE refuses one
 JoinedIntersection joined_intersection(const ShapeIntersection& found,
                                        const std::vector<TopoDS_Face>& a,
-                                       const std::vector<TopoDS_Face>& b);
+                                       const std::vector<TopoDS_Face>& b,
+                                       const std::function<bool()>& cancelled = {});
 
 }  // namespace blossom::occt

@@ -2,6 +2,7 @@
 // Intersections: two models with each other, one with itself.
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "adapters/occt/convert/border_numbers.h"
@@ -23,6 +24,7 @@ struct Found {
   bool itself = false;  // a model's faces with each other
   occt::ShapeIntersection intersection;
   double seconds = 0;
+  mutable std::optional<occt::JoinedIntersection> joined{};  // made when it is first asked for
 };
 using SharedFound = std::shared_ptr<const Found>;
 
@@ -129,13 +131,22 @@ py::dict records_of(const Found& found) {
                   "certificate"_a = to_python(reports::to_json(found.intersection.certificate)));
 }
 
+// In the turns of both models.
+const occt::JoinedIntersection& joined_of(const Found& found) {
+  if (!found.joined)
+    found.joined = occt::joined_intersection(found.intersection, found.a->input().faces,
+                                             found.b->input().faces);
+  return *found.joined;
+}
+
 reports::Json report_of(const Found& found) {
   const Watch watch;
   const BothTurns turns(*found.a, *found.b, watch);
   const reports::RunTimes times{found.seconds, found.seconds};
-  reports::Input& a = found.a->input();
-  if (found.itself) return reports::self_intersection_report(a, found.intersection, times);
-  return reports::intersection_report(a, found.b->input(), found.intersection, times);
+  const reports::Findings findings{found.a->input(), found.b->input(), found.intersection,
+                                   joined_of(found)};
+  return found.itself ? reports::self_intersection_report(findings, times)
+                      : reports::intersection_report(findings, times);
 }
 
 Answer answer_of(SharedFound found) {
@@ -146,11 +157,7 @@ Answer answer_of(SharedFound found) {
           .model =
               [found] {
                 const BothTurns turns(*found->a, *found->b, Watch());
-                return std::make_shared<LoadedModel>(
-                    "intersection",
-                    occt::joined_intersection(found->intersection, found->a->input().faces,
-                                              (found->itself ? found->a : found->b)->input().faces)
-                        .wires);
+                return std::make_shared<LoadedModel>("intersection", joined_of(*found).wires);
               },
           .records =
               [found] {

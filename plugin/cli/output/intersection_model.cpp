@@ -14,7 +14,6 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/curves.h"
-#include "adapters/occt/intersection_edges.h"
 
 namespace blossom::cli {
 namespace {
@@ -85,9 +84,9 @@ std::string face_name(const Input& input, int index) {
 
 }  // namespace
 
-occt::Model joined_model(const Input& a, const Input& b, const occt::ShapeIntersection& found) {
+occt::Model joined_model(const Input& a, const Input& b, const occt::JoinedIntersection& joined) {
   occt::Model model;
-  model.add(occt::joined_intersection(found, a.faces, b.faces).wires,
+  model.add(joined.wires,
             a.model.file().filename().string() + " x " + b.model.file().filename().string(),
             kEdgeColour);
   return model;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "adapters/occt/intersection.h"
+#include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
 #include "plugin/cli/arguments/inputs.h"
 
@@ -20,6 +21,6 @@ occt::Model paired_model(const Input& a, const Input& b, const occt::ShapeInters
 /// common, and lone contacts as vertices.
 ///
 /// throws   likewise
-occt::Model joined_model(const Input& a, const Input& b, const occt::ShapeIntersection& found);
+occt::Model joined_model(const Input& a, const Input& b, const occt::JoinedIntersection& joined);
 
 }  // namespace blossom::cli

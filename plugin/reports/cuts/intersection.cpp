@@ -118,8 +118,8 @@ void add_times(const occt::ShapeIntersection& found, const RunTimes& times, Json
   report["seconds_first"] = times.first;
 }
 
-void add_findings(const Input& a, const Input& b, const occt::ShapeIntersection& found,
-                  Json& report) {
+void add_findings(const Findings& findings, Json& report) {
+  const auto& [a, b, found, whole] = findings;
   for (const char* list : {"curves", "points", "nodes", "overlaps", "places"})
     report[list] = Json::array();
   const ShapeNumbers numbers_a(a.shape), numbers_b(b.shape);
@@ -147,7 +147,6 @@ void add_findings(const Input& a, const Input& b, const occt::ShapeIntersection&
     for (const Place& place : pair.found.places)
       report["places"].push_back(with_faces(faces, to_json(place)));
   }
-  const occt::JoinedIntersection whole = occt::joined_intersection(found, a.faces, b.faces);
   const WireFacts joined = facts_of(whole.wires);
   report["joined"] = {{"wires", joined.wires},   {"closed", joined.closed}, {"edges", joined.edges},
                       {"points", joined.points}, {"length", joined.length}, {"lost", whole.lost}};
@@ -264,24 +263,25 @@ Json to_json(const std::optional<Conic>& conic, const Interval& range) {
   return json;
 }
 
-Json intersection_report(const Input& a, const Input& b, const occt::ShapeIntersection& found,
-                         const RunTimes& times) {
+Json intersection_report(const Findings& findings, const RunTimes& times) {
+  const auto& [a, b, found, joined] = findings;
   Json report = {{"schema", "blossom.intersection/1"}, {"a", a.name}, {"b", b.name}};
   add_times(found, times, report);
-  add_findings(a, b, found, report);
+  add_findings(findings, report);
   report["parts_a"] = parts_json(a, found, &occt::FaceIntersection::face_a);
   report["parts_b"] = parts_json(b, found, &occt::FaceIntersection::face_b);
   report["repairs"] = Json::array({repairs_json(a), repairs_json(b)});
   return report;
 }
 
-Json self_intersection_report(const Input& input, const occt::ShapeIntersection& found,
-                              const RunTimes& times) {
+Json self_intersection_report(const Findings& findings, const RunTimes& times) {
+  const Input& input = findings.a;
+  const occt::ShapeIntersection& found = findings.found;
   Json report = {{"schema", "blossom.self-intersection/1"},
                  {"input", input.name},
                  {"verdict", verdict_of(found)}};
   add_times(found, times, report);
-  add_findings(input, input, found, report);
+  add_findings(findings, report);
   report["repairs"] = Json::array({repairs_json(input)});
   return report;
 }

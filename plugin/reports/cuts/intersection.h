@@ -11,6 +11,7 @@
 #include <TopoDS_Compound.hxx>
 
 #include "adapters/occt/intersection.h"
+#include "adapters/occt/intersection_edges.h"
 #include "plugin/reports/models/input.h"
 #include "plugin/reports/text/json.h"
 
@@ -59,13 +60,19 @@ Json to_json(const Place& place);
 /// What a curve is over a range of its parameter; null if it is no line and no conic.
 Json to_json(const std::optional<Conic>& conic, const Interval& range);
 
+/// What was found between two inputs, or between the faces of one.
+struct Findings {
+  const Input& a;
+  const Input& b;
+  const occt::ShapeIntersection& found;
+  const occt::JoinedIntersection& joined;
+};
+
 /// The whole object, schema "blossom.intersection/1".
-Json intersection_report(const Input& a, const Input& b, const occt::ShapeIntersection& found,
-                         const RunTimes& times);
+Json intersection_report(const Findings& findings, const RunTimes& times);
 
 /// Likewise of the faces of one input with themselves, schema "blossom.self-intersection/1"; see
 /// plugin/cli/schemas/self-intersection-1.md.
-Json self_intersection_report(const Input& input, const occt::ShapeIntersection& found,
-                              const RunTimes& times);
+Json self_intersection_report(const Findings& findings, const RunTimes& times);
 
 }  // namespace blossom::reports

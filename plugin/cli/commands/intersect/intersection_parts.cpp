@@ -88,9 +88,14 @@ int write_outputs(const Input& a, const Input& b, const std::string& title,
   const CommonOptions& options = given.common;
   // All that may fail or be interrupted comes before the first file is written.
   const IntersectionCounts counts = counts_of(a, result.found);
+  occt::JoinedIntersection joined;
+  if (given.joined || !options.json.empty() || tells_joined(counts))
+    joined =
+        occt::joined_intersection(result.found, a.faces, b.faces, [] { return interrupted(); });
+  const reports::Findings findings{a, b, result.found, joined};
   std::optional<occt::Model> model;
   if (!options.output.empty() && given.joined)
-    model = joined_model(a, b, result.found);
+    model = joined_model(a, b, joined);
   else if (!options.output.empty() && counts.has_shape())
     model = paired_model(a, b, result.found);
   if (model && !TopExp_Explorer(model->shape(), TopAbs_VERTEX).More()) model.reset();
@@ -103,11 +108,11 @@ int write_outputs(const Input& a, const Input& b, const std::string& title,
   if (unwritten) report_nothing_found(options.output, "no curve and no point was found");
   write_pictures(pictures);
   if (!options.json.empty()) {
-    write_json(&a == &b ? reports::self_intersection_report(a, result.found, result.times)
-                        : reports::intersection_report(a, b, result.found, result.times),
+    write_json(&a == &b ? reports::self_intersection_report(findings, result.times)
+                        : reports::intersection_report(findings, result.times),
                options.json);
   }
-  print_summary(intersection_text(a, b, title, counts, result.found, result.times), options.json);
+  print_summary(intersection_text(findings, title, counts, result.times), options.json);
   return exit_code(exit_code(result.found.status), findings_of(counts.any()), options);
 }
 

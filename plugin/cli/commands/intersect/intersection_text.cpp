@@ -212,17 +212,19 @@ std::string joined_text(const occt::JoinedIntersection& whole) {
   return text.str();
 }
 
-std::string intersection_text(const Input& a, const Input& b, const std::string& title,
-                              const IntersectionCounts& counts,
-                              const occt::ShapeIntersection& found,
-                              const reports::RunTimes& times) {
+bool tells_joined(const IntersectionCounts& counts) {
+  return counts.curves > 1 || counts.overlaps > 0;
+}
+
+std::string intersection_text(const reports::Findings& findings, const std::string& title,
+                              const IntersectionCounts& counts, const reports::RunTimes& times) {
+  const auto& [a, b, found, joined] = findings;
   std::ostringstream text;
   text << title << ": ";
   if (&a == &b) text << reports::verdict_of(found) << ", ";
   text << to_string(stated(found.status)) << ", " << counts_text(counts) << ", "
        << seconds_text(times.seconds) << "\n";
-  if (counts.curves > 1 || counts.overlaps > 0)
-    text << joined_text(occt::joined_intersection(found, a.faces, b.faces));
+  if (tells_joined(counts)) text << joined_text(joined);
   const PairNames names(a, b);
   for (const occt::FaceIntersection& pair : found.pairs) list_findings(a, names, pair, text);
   list_places(names, found, text);

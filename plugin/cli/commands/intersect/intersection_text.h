@@ -56,10 +56,12 @@ std::string place_text(const Place& place, const std::vector<Vec3>& points = {})
 /// About the area of an overlap of a pair, square model units.
 double overlap_area(const Input& a, const occt::FaceIntersection& pair, const Overlap& overlap);
 
+/// Whether the summary says what the curves of all pairs come to.
+bool tells_joined(const IntersectionCounts& counts);
+
 /// The summary: what was found, and where.
 /// title   of its first line
-std::string intersection_text(const Input& a, const Input& b, const std::string& title,
-                              const IntersectionCounts& counts,
-                              const occt::ShapeIntersection& found, const reports::RunTimes& times);
+std::string intersection_text(const reports::Findings& findings, const std::string& title,
+                              const IntersectionCounts& counts, const reports::RunTimes& times);
 
 }  // namespace blossom::cli
