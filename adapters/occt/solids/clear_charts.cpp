@@ -62,13 +62,15 @@ TopoDS_Face seen_in(const gp_Ax3& frame, const TopoDS_Face& face) {
   return TopoDS::Face(face.Moved(into, false));
 }
 
-// Whether a stretch of a seam lies in a face and crosses it.
+// Whether a stretch of a seam lies in a face and crosses it. Of a seam whose surface is not
+// elementary nobody knows: it then lies ill.
 bool is_border(const Seam& seam, const Interval& part, const Elementary& face) {
+  if (!seam.surface) return false;
   for (const double place : {part.from, at(part, 0.5), part.to})
     if (std::abs(height_over(face, vec(seam.point(place))).value) > Precision::Confusion())
       return false;
   const Vec3 point = vec(seam.point(at(part, 0.5)));
-  return norm(cross(height_over(face, point).rise, height_over(seam.surface, point).rise)) >=
+  return norm(cross(height_over(face, point).rise, height_over(*seam.surface, point).rise)) >=
          kClear;
 }
 

@@ -62,6 +62,8 @@ std::optional<gp_Ax3> frame_of(const TopoDS_Face& face) {
     case GeomAbs_Cone: return surface.Cone().Position();
     case GeomAbs_Sphere: return surface.Sphere().Position();
     case GeomAbs_Torus: return surface.Torus().Position();
+    case GeomAbs_SurfaceOfRevolution:
+      return gp_Ax2(surface.AxeOfRevolution().Location(), surface.AxeOfRevolution().Direction());
     default: return std::nullopt;
   }
 }
@@ -152,12 +154,12 @@ std::optional<std::vector<Seam>> seams_of(const TopoDS_Face& face, const gp_Trsf
     const TopoDS_Edge edge = TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD));
     Seam seam;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, seam.range.from, seam.range.to);
-    if (curve.IsNull() || !surface) return std::nullopt;
+    if (curve.IsNull()) return std::nullopt;
     seam.curve = Handle(Geom_Curve)::DownCast(curve->Transformed(into));
     const GeomAdaptor_Curve kind(seam.curve);
     if (kind.GetType() != GeomAbs_Line && kind.GetType() != GeomAbs_Circle) return std::nullopt;
     seam.speed = kind.GetType() == GeomAbs_Line ? 1 : kind.Circle().Radius();
-    seam.surface = *surface;
+    seam.surface = surface;
     seam.at_pole = {poles.Contains(TopExp::FirstVertex(edge)),
                     poles.Contains(TopExp::LastVertex(edge))};
     seams.push_back(seam);
@@ -171,8 +173,11 @@ ChartKind kind_of(const std::vector<TopoDS_Face>& group) {
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
     if (!BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) edges.Add(it.Current());
   if (edges.Extent() > seams_in(face).Extent()) return ChartKind::Turned;
-  const BRepAdaptor_Surface surface(face, false);
-  return surface.GetType() == GeomAbs_Sphere ? ChartKind::Ball : ChartKind::Ring;
+  switch (BRepAdaptor_Surface(face, false).GetType()) {
+    case GeomAbs_Sphere: return ChartKind::Ball;
+    case GeomAbs_Torus: return ChartKind::Ring;
+    default: return ChartKind::Turned;
+  }
 }
 
 double from_axis(const gp_Pnt& point) { return std::hypot(point.X(), point.Y()); }

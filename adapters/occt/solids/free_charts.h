@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <BRepTools_ReShape.hxx>
@@ -30,17 +31,18 @@ struct ChartMove {
 struct Seam {
   Handle(Geom_Curve) curve;  ///< a line or a circle
   Interval range;
-  double speed = 1;             ///< length for each unit of the parameter
-  Elementary surface;           ///< that it lies on
-  std::array<bool, 2> at_pole;  ///< whether the chart is singular where it begins, and ends
+  double speed = 1;                   ///< length for each unit of the parameter
+  std::optional<Elementary> surface;  ///< that it lies on, if it is elementary
+  std::array<bool, 2> at_pole;        ///< whether the chart is singular where it begins, and ends
 
   gp_Pnt point(double at) const { return curve->Value(at); }
 };
 
 /// A Ball is a whole sphere, which may be turned about any axis through its centre. A Ring is a
-/// whole torus. Turned are cylinders, cones and parts of spheres and tori that go round one axis
-/// and meet in rims, closed edges that begin and end in a seam: all turn together. What else has
-/// these rims is plane, and the corners have no other edges.
+/// whole torus. Turned are cylinders, cones, parts of spheres and tori, and surfaces of revolution
+/// of lines and circles, that go round one axis and meet in rims, closed edges that begin and end
+/// in a seam: all turn together. What else has these rims is plane, and the corners have no other
+/// edges.
 enum class ChartKind { Ball, Ring, Turned };
 
 /// Faces with the seams that are moved together.

@@ -9,17 +9,23 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <TopExp_Explorer.hxx>
@@ -27,6 +33,7 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Elips.hxx>
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/queries/cone_volumes.h"
@@ -146,6 +153,35 @@ TEST(ClearCharts, LeaveASeamInAWallThroughTheAxis) {
   const TrimTool rod = trim_tool(BRepPrimAPI_MakeCylinder(2, 5).Shape());
   const TrimTool box = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-9, 0, -9), gp_Pnt(9, 9, 9)).Shape());
   EXPECT_TRUE(clear_charts(rod, box).turned.empty());
+}
+
+// Under a bulge, the arc through (1, 0), (1.3, 1) and (1, 2), that is no torus.
+TopoDS_Shape barrel() {
+  const TopoDS_Edge bulge = BRepBuilderAPI_MakeEdge(
+      GC_MakeArcOfCircle(gp_Pnt(1, 0, 0), gp_Pnt(1.3, 0, 1), gp_Pnt(1, 0, 2)).Value());
+  BRepBuilderAPI_MakeWire outline(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Edge(),
+                                  bulge,
+                                  BRepBuilderAPI_MakeEdge(gp_Pnt(1, 0, 2), gp_Pnt(0, 0, 2)).Edge(),
+                                  BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 2), gp_Pnt(0, 0, 0)).Edge());
+  const TopoDS_Face profile = BRepBuilderAPI_MakeFace(outline.Wire(), true).Face();
+  return BRepPrimAPI_MakeRevol(profile, gp::OZ()).Shape();
+}
+
+// A slanted bar's rim touches the barrel's in (1, 0, 2), where the seam ends in the rim.
+TEST(ClearCharts, KeepSeamsOfRevolutionsOffWhatTouchesThem) {
+  const gp_Elips rim(gp_Ax2(gp_Pnt(5.25, 0, 0), gp::DZ()), 4.5, 1);
+  const TopoDS_Wire outline = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(rim).Edge()).Wire();
+  const TopoDS_Shape bar =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline).Face(), gp_Vec(0.25, 0, 2)).Shape();
+  const TrimTool part = trim_tool(barrel()), tool = trim_tool(bar);
+  const ClearCharts charts = clear_charts(part, tool);
+  EXPECT_EQ(charts.turned.size(), 3u);
+  EXPECT_TRUE(is_closed_solid(solid_of(charts.solid.faces)));
+  const SolidTrimResult made = trim_solids(part, {tool}, SolidOperation::Cut);
+  ASSERT_TRUE(made.obstacles.empty()) << made.obstacles.front();
+  ASSERT_EQ(made.solids.size(), 1u);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front()).IsValid());
+  EXPECT_NEAR(made.volumes.front().cut, 8.830046, 1e-6);
 }
 
 // What has rims in common turns with them, unless more than planes and rims meets there.
