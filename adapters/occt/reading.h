@@ -77,18 +77,4 @@ struct ReadOptions {
 /// to ten times as long as they seem.
 double reading_allowance(const std::filesystem::path& file);
 
-/// For programs that must outlive any file: with which options reading it comes to an end, found
-/// out by reading it in a child process. Names, or faces of damaged entities, are left out if it is
-/// these that crash or take more than `reading_allowance`. The options as they are where no process
-/// can be made, or it uses no processor time for 3 s: it then waits for a lock that another thread
-/// of the program held when it was made, which tells nothing of the file.
-///
-/// options  their `step` is told in the child process
-/// stop     asked often; ends the work by an exception
-/// throws   BadModel with the step if nothing can be left out that would help; std::bad_alloc if
-///          the child lacks memory, or is killed, as systems do that have none left; what else is
-///          wrong with a file, who reads it after this is told
-ReadOptions rehearsed(const std::filesystem::path& file, ReadOptions options,
-                      const std::function<void()>& stop = {});
-
 }  // namespace blossom::occt

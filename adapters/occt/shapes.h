@@ -180,6 +180,7 @@ class Model {
   friend std::vector<WriteNote> write_model(const Model& model, const std::filesystem::path& file,
                                             const std::function<void()>& stop);
   friend Contents& contents_of(const Model& model);
+  friend class ModelBytes;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
@@ -195,6 +196,21 @@ class Model {
 ///          nothing that can be used; the message names the file, the step and the cause
 /// Safe to call from several threads; they wait for each other.
 Model read_model(const std::filesystem::path& file, const ReadOptions& options = {});
+
+/// The same for programs that must outlive any file: a child process reads it, and hands over the
+/// model as it is there, to the last bit. Names, or faces of damaged entities, are left out if it
+/// is these that crash or take more than `reading_allowance`. What a child has read to its end, but
+/// cannot hand over, is read here once more. It is read here alone where no process can be made, or
+/// where the child uses no processor time for 3 s: it then waits for a lock that another thread of
+/// the program held when it was made, which tells nothing of the file.
+///
+/// options  their `step` is told in the child process
+/// stop     asked often; ends the work by an exception
+/// throws   as `read_model`; BadModel with the step if nothing can be left out that would help;
+///          std::bad_alloc if the child lacks memory, or is killed, as systems do that have none
+///          left
+Model read_model_in_child(const std::filesystem::path& file, const ReadOptions& options = {},
+                          const std::function<void()>& stop = {});
 
 /// Writes by the file's ending, beside the target, and renames when all is on the disk: an
 /// interrupted or failed write leaves what was there before, and nothing else if the file system

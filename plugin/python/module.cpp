@@ -65,9 +65,7 @@ SharedModel read_file(const std::string& path, bool strict, const Control& contr
         throw occt::Failure(path + ": the time limit of " + reports::number_text(limit) +
                             " s was reached while reading it");
     };
-    occt::ReadOptions options = occt::rehearsed(path, {.damaged = true}, stop);
-    options.step = [&stop](const char*) { stop(); };
-    occt::Model model = occt::read_model(path, options);
+    occt::Model model = occt::read_model_in_child(path, {.damaged = true}, stop);
     if (strict && model.reading().grade() == occt::ReadingGrade::ShapesLost)
       throw occt::BadModel(path + ": is refused as strict: " + model.reading().summary());
     return std::make_shared<LoadedModel>(path, std::move(model), reports::Repairing::Used);

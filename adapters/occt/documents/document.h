@@ -25,6 +25,7 @@ namespace blossom::occt {
 class Document final : public DocumentInterface {
  public:
   explicit Document(const PlainParts& parts = {});
+  explicit Document(const Handle(TDocStd_Document) & handle) : handle_(handle) {}
   ~Document() override;
 
   const Handle(TDocStd_Document) & handle() const { return handle_; }

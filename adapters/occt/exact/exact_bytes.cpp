@@ -28,7 +28,9 @@
 #include <Geom_TrimmedCurve.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Iterator.hxx>
 
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/exact/exact_places.h"
 
 namespace blossom::occt {
@@ -236,6 +238,22 @@ TopoDS_Shape shape_of_exact_bytes(const std::string& bytes) {
   for (std::string* part : {&exact.form, &exact.places, &exact.hidden}) *part = taken_part(rest);
   if (!rest.empty()) throw std::ios_base::failure("there are too many parts");
   return shape_of(exact);
+}
+
+// What is put into a compound loses a flag, which is given back.
+std::optional<std::string> exact_bytes(const std::vector<TopoDS_Shape>& shapes) {
+  std::vector<bool> free;
+  for (const TopoDS_Shape& shape : shapes) free.push_back(shape.Free());
+  const TopoDS_Compound all = compound_of(shapes);
+  for (std::size_t i = 0; i < shapes.size(); ++i) shapes[i].TShape()->Free(free[i]);
+  return exact_bytes(static_cast<const TopoDS_Shape&>(all));
+}
+
+std::vector<TopoDS_Shape> shapes_of_exact_bytes(const std::string& bytes) {
+  const TopoDS_Shape all = shape_of_exact_bytes(bytes);  // iterators do not keep it
+  std::vector<TopoDS_Shape> shapes;
+  for (TopoDS_Iterator it(all); it.More(); it.Next()) shapes.push_back(it.Value());
+  return shapes;
 }
 
 }  // namespace blossom::occt

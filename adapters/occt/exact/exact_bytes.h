@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <TopoDS_Shape.hxx>
 
@@ -21,5 +22,11 @@ std::optional<std::string> exact_bytes(const TopoDS_Shape& shape);
 
 /// throws   Standard_Failure or std::ios_base::failure if it is not what `exact_bytes` made
 TopoDS_Shape shape_of_exact_bytes(const std::string& bytes);
+
+/// Several shapes, none of them null, which share afterwards what they share now.
+std::optional<std::string> exact_bytes(const std::vector<TopoDS_Shape>& shapes);
+
+/// Their shapes in the same order; throws as `shape_of_exact_bytes`.
+std::vector<TopoDS_Shape> shapes_of_exact_bytes(const std::string& bytes);
 
 }  // namespace blossom::occt

@@ -17,7 +17,7 @@ namespace blossom::occt {
 TopoDS_Shape shape_from_bytes(std::string_view bytes, const std::string& name);
 
 /// Likewise, for programs that must outlive any bytes: they are read in a child process first, see
-/// `rehearsed` in adapters/occt/reading.h.
+/// `read_model_in_child` in adapters/occt/shapes.h.
 /// throws   BadModel, also if Open CASCADE crashes on them or never ends
 TopoDS_Shape rehearsed_shape_from_bytes(std::string_view bytes, const std::string& name,
                                         const std::function<void()>& stop = {});

@@ -2,9 +2,6 @@
 #include "adapters/occt/exchange/kept_facts.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
-#include <ios>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -14,104 +11,22 @@
 #include <TopExp_Explorer.hxx>
 
 #include "adapters/occt/exchange/rebuild.h"
+#include "adapters/occt/exchange/value_bytes.h"
 
 namespace blossom::occt {
-namespace {
-
-// Each goes over the members of all structures in the same order, `Out` appending them to bytes and
-// `In` taking them from there.
-class Out {
- public:
-  void operator()(const std::int64_t& number) {
-    bytes.append(reinterpret_cast<const char*>(&number), sizeof(number));
-  }
-  void operator()(const int& number) { (*this)(std::int64_t{number}); }
-  void operator()(const bool& is) { (*this)(std::int64_t{is}); }
-  void operator()(const std::string& text) {
-    (*this)(static_cast<std::int64_t>(text.size()));
-    bytes += text;
-  }
-  template <class Each>
-  void operator()(const std::vector<Each>& all);
-
-  std::string bytes;
-};
-
-class In {
- public:
-  explicit In(const std::string& bytes) : bytes_(bytes) {}
-
-  bool is_at_end() const { return at_ == bytes_.size(); }
-
-  void operator()(std::int64_t& number) {
-    std::memcpy(&number, take(sizeof(number)), sizeof(number));
-  }
-  void operator()(int& number) { number = static_cast<int>(next()); }
-  void operator()(bool& is) { is = next() != 0; }
-  void operator()(std::string& text) {
-    const std::size_t size = count();
-    text.assign(take(size), size);
-  }
-  template <class Each>
-  void operator()(std::vector<Each>& all);
-
- private:
-  const char* take(std::size_t size) {
-    if (size > bytes_.size() - at_) throw std::ios_base::failure("the facts are cut off");
-    at_ += size;
-    return bytes_.data() + at_ - size;
-  }
-  std::int64_t next() {
-    std::int64_t number = 0;
-    (*this)(number);
-    return number;
-  }
-  // Nothing takes less than a byte.
-  std::size_t count() {
-    const std::int64_t number = next();
-    if (number < 0 || static_cast<std::uint64_t>(number) > bytes_.size())
-      throw std::ios_base::failure("a count of the facts is damaged");
-    return static_cast<std::size_t>(number);
-  }
-
-  const std::string& bytes_;
-  std::size_t at_ = 0;
-};
-
-template <class Way, class Value>
-void go(Way& way, Value& value) {
-  way(value);
-}
-
 template <class Way>
-void go(Way& way, Loss& loss) {
-  way(loss.what), way(loss.cause), way(loss.of_shape), way(loss.count);
-  way(loss.which), way(loss.belongs_to);
-}
-
-template <class Way>
-void go(Way& way, AssemblyNode& node) {
+void each_member(Way& way, AssemblyNode& node) {
   way(node.name), way(node.product), way(node.path);
   way(node.solids), way(node.faces), way(node.parts);
 }
 
 template <class Way>
-void go(Way& way, KeptFacts& facts) {
+void each_member(Way& way, KeptFacts& facts) {
   way(facts.unit), way(facts.raised), way(facts.losses);
   way(facts.names), way(facts.paths), way(facts.parts), way(facts.assembly);
 }
 
-template <class Each>
-void Out::operator()(const std::vector<Each>& all) {
-  (*this)(static_cast<std::int64_t>(all.size()));
-  for (Each each : all) go(*this, each);
-}
-
-template <class Each>
-void In::operator()(std::vector<Each>& all) {
-  all.assign(count(), {});
-  for (Each& each : all) go(*this, each);
-}
+namespace {
 
 [[noreturn]] void refuse_change() {
   throw std::logic_error("a model of the folder of models is to be changed or written");
@@ -253,20 +168,9 @@ void KeptDocument::put_solids(const Faces&, const std::vector<SolidOfFaces>& sol
 
 }  // namespace
 
-std::string bytes_of(const KeptFacts& facts) {
-  Out out;
-  KeptFacts copy = facts;
-  go(out, copy);
-  return std::move(out.bytes);
-}
+std::string bytes_of(const KeptFacts& facts) { return value_bytes(facts); }
 
-KeptFacts facts_of(const std::string& bytes) {
-  In in(bytes);
-  KeptFacts facts;
-  go(in, facts);
-  if (!in.is_at_end()) throw std::ios_base::failure("there are too many facts");
-  return facts;
-}
+KeptFacts facts_of(const std::string& bytes) { return value_of<KeptFacts>(bytes); }
 
 std::shared_ptr<DocumentInterface> kept_document(const TopoDS_Shape& shape, KeptFacts facts) {
   return std::make_shared<KeptDocument>(shape, std::move(facts));

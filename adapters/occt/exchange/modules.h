@@ -9,6 +9,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <Standard_Transient.hxx>
@@ -41,5 +43,12 @@ struct DocumentModule {
 
 const StepModule& step_module();
 const DocumentModule& document_module();
+
+/// A document as bytes for the same program in another process, with its shapes to the last bit;
+/// nothing if the bytes would not give it again. Only programs link this that read in a child.
+std::optional<std::string> document_bytes(const DocumentInterface& document);
+
+/// throws   std::ios_base::failure or Standard_Failure if it is not what `document_bytes` made
+std::shared_ptr<DocumentInterface> document_of_bytes(const std::string& bytes);
 
 }  // namespace blossom::occt

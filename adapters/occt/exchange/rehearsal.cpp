@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What must not end a program is read in a child process before the program reads it itself.
+// What must not end a program is read in a child process, which hands over what it has read.
 
 #include <fcntl.h>
 #include <poll.h>
@@ -14,6 +14,7 @@
 #include <cmath>
 #include <csignal>
 #include <ctime>
+#include <ios>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -22,8 +23,10 @@
 #include <utility>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/exact/exact_bytes.h"
 #include "adapters/occt/exchange/brep_bytes.h"
 #include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/exchange/model_bytes.h"
 #include "adapters/occt/reading.h"
 #include "adapters/occt/shapes.h"
 
@@ -47,6 +50,7 @@ struct Board {
   char step[4096] = "opening";
   bool finished = false;
   bool lacks_memory = false;
+  bool handed_over = false;
 };
 
 class SharedBoard {
@@ -139,22 +143,76 @@ void leave_the_program_alone(rlim_t processor_seconds) {
 }
 
 using Step = std::function<void(const char* step)>;
-using Reader = std::function<void(const Step&)>;  // says what it does
 
-[[noreturn]] void read_as_child(const Reader& read, rlim_t processor_seconds, pid_t parent,
-                                Board& board) {
+/// What a child does.
+struct Reader {
+  std::function<void(const Step&)> read;                  ///< says what it does
+  std::function<std::optional<std::string>()> hand_over;  ///< what it has read, as bytes if it can
+};
+
+/// A file without a name, which goes with its last owner.
+class Parcel {
+ public:
+  Parcel() : file_(memfd_create("blossom", MFD_CLOEXEC)) {}
+  ~Parcel() {
+    if (file_ >= 0) close(file_);
+  }
+  Parcel(const Parcel&) = delete;
+  Parcel& operator=(const Parcel&) = delete;
+
+  /// Whether all of it is there then.
+  bool put(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t written = write(file_, bytes.data(), bytes.size());
+      if (written <= 0) return false;
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+  }
+
+  std::string taken() const {
+    const off_t size = lseek(file_, 0, SEEK_END);
+    std::string bytes(static_cast<std::size_t>(std::max<off_t>(size, 0)), '\0');
+    for (std::size_t at = 0; at < bytes.size();) {
+      const ssize_t got =
+          pread(file_, bytes.data() + at, bytes.size() - at, static_cast<off_t>(at));
+      if (got <= 0) throw std::ios_base::failure("what was read cannot be taken over");
+      at += static_cast<std::size_t>(got);
+    }
+    return bytes;
+  }
+
+ private:
+  int file_;
+};
+
+/// Why it cannot does not matter: what was read to its end is then read again.
+bool hand_over(const Reader& reader, const Parcel& parcel) {
+  try {
+    const std::optional<std::string> bytes = reader.hand_over();
+    return bytes && parcel.put(*bytes);
+  } catch (...) {
+    return false;
+  }
+}
+
+[[noreturn]] void read_as_child(const Reader& reader, rlim_t processor_seconds, pid_t parent,
+                                Board& board, const Parcel& parcel) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);
   leave_the_program_alone(processor_seconds);
   new (&exchange_lock()) std::recursive_mutex;  // whose owner there is not here
+  bool is_read = false;
   try {
-    read([&board](const char* step) {
+    reader.read([&board](const char* step) {
       board.step[std::string_view(step).copy(board.step, sizeof(board.step) - 1)] = '\0';
     });
+    is_read = true;
   } catch (...) {  // faults of the file are told when it is read after this
     board.lacks_memory = is_lack_of_memory();
   }
   board.finished = true;
+  board.handed_over = is_read && hand_over(reader, parcel);
   _exit(0);
 }
 
@@ -163,13 +221,15 @@ struct Rehearsal {
   bool finished = true;
   bool overdue = false;  ///< it took more processor time than it may
   std::string step{};    ///< that it was at
+  std::optional<std::string> handed_over{};
 };
 
 /// Where no process can be made, or the one that is made gets stuck, it is as if reading had ended.
 /// throws   std::bad_alloc if the child lacks memory, of its own or as the system ends it for that
-Rehearsal rehearse(const Reader& read, rlim_t processor_seconds,
+Rehearsal rehearse(const Reader& reader, rlim_t processor_seconds,
                    const std::function<void()>& stop) {
   const SharedBoard shared;
+  const Parcel parcel;
   Board* const board = shared.get();
   if (board == nullptr) return {};
   const pid_t parent = getpid();
@@ -178,10 +238,11 @@ Rehearsal rehearse(const Reader& read, rlim_t processor_seconds,
     const std::lock_guard nobody_reads(exchange_lock());
     id = fork();
   }
-  if (id == 0) read_as_child(read, processor_seconds, parent, *board);
+  if (id == 0) read_as_child(reader, processor_seconds, parent, *board, parcel);
   if (id < 0) return {};
   const std::optional<int> signal = Child(id).wait(stop);
   if (!signal) return {};
+  if (board->handed_over && signal == 0) return {.handed_over = parcel.taken()};
   if (signal == SIGKILL || board->lacks_memory) throw std::bad_alloc();
   return {board->finished, signal == SIGXCPU, board->step};
 }
@@ -210,23 +271,29 @@ double reading_allowance(const std::filesystem::path& file) {
   return error ? 1 : allowance(packed ? 10 * bytes : bytes);
 }
 
-ReadOptions rehearsed(const std::filesystem::path& file, ReadOptions options,
-                      const std::function<void()>& stop) {
+Model read_model_in_child(const std::filesystem::path& file, const ReadOptions& options,
+                          const std::function<void()>& stop) {
   const rlim_t seconds = whole_seconds(reading_allowance(file));
+  ReadOptions wanted = options;
+  wanted.step = [&stop](const char*) {
+    if (stop) stop();
+  };
   while (true) {
-    ReadOptions tried = options;
-    const Rehearsal done = rehearse(
-        [&](const Step& step) {
-          tried.step = [&](const char* doing) {
-            step(doing);
-            if (options.step) options.step(doing);
-          };
-          read_model(file, tried);
-        },
-        seconds, stop);
-    if (done.finished) return options;
-    if (done.step.starts_with(kReadingNames) && std::exchange(options.names, false)) continue;
-    if (done.step.starts_with(kMakingDamaged) && std::exchange(options.damaged, false)) continue;
+    std::optional<Model> model;
+    ReadOptions tried = wanted;
+    const auto read = [&](const Step& step) {
+      tried.step = [&](const char* doing) {
+        step(doing);
+        if (options.step) options.step(doing);
+      };
+      model = read_model(file, tried);
+    };
+    const Rehearsal done =
+        rehearse({read, [&model] { return ModelBytes::of(*model); }}, seconds, stop);
+    if (done.handed_over) return ModelBytes::model(*done.handed_over, file);
+    if (done.finished) return read_model(file, wanted);
+    if (done.step.starts_with(kReadingNames) && std::exchange(wanted.names, false)) continue;
+    if (done.step.starts_with(kMakingDamaged) && std::exchange(wanted.damaged, false)) continue;
     refuse_unfinished(file.string(), done, seconds);
   }
 }
@@ -234,12 +301,13 @@ ReadOptions rehearsed(const std::filesystem::path& file, ReadOptions options,
 TopoDS_Shape rehearsed_shape_from_bytes(std::string_view bytes, const std::string& name,
                                         const std::function<void()>& stop) {
   const rlim_t seconds = whole_seconds(allowance(static_cast<double>(bytes.size())));
-  const Rehearsal done = rehearse(
-      [&](const Step& step) {
-        step("reading the shapes");
-        shape_from_bytes(bytes, name);
-      },
-      seconds, stop);
+  TopoDS_Shape shape;
+  const auto read = [&](const Step& step) {
+    step("reading the shapes");
+    shape = shape_from_bytes(bytes, name);
+  };
+  const Rehearsal done = rehearse({read, [&shape] { return exact_bytes(shape); }}, seconds, stop);
+  if (done.handed_over) return shape_of_exact_bytes(*done.handed_over);
   if (!done.finished) refuse_unfinished(name, done, seconds);
   return shape_from_bytes(bytes, name);
 }
