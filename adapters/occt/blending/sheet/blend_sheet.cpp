@@ -353,9 +353,28 @@ bool BlendSheet::end_in_point(const std::vector<DirectedEdge>& halves) {
   return true;
 }
 
+// Where a strip narrows to a point: the vertex of the edge; or, where the faces are so far apart
+// that it ends short of that, a new one on the edge, from which the smooth rest stays as it was.
+TopoDS_Vertex BlendSheet::narrow_vertex(const DirectedEdge& half, const NarrowEnd& point) {
+  const TopoDS_Vertex vertex = body_.vertex(half);
+  if (point.off <= std::max(kSamePlace * tolerance_, BRep_Tool::Tolerance(vertex))) return vertex;
+  const TopoDS_Edge edge = body_.edge(half.edge);
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  const RolledStrip& strip = strip_of(half).strip;
+  const Vec3 contact = contact_point(strip, 0, point.t);
+  const double at = nearest_on(curve, range, contact);
+  const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(edge));
+  if (distance(vec(curve->Value(at).XYZ()), contact) > reach) return vertex;
+  const int split = splits_.add(edge, at, body_.face(strip.contacts[0].face));
+  if (split == EdgeSplits::kFirst || split == EdgeSplits::kLast) return vertex;
+  border_.cuts.push_back({half.edge, split, !half.at_start});
+  return splits_.vertex(edge, split);
+}
+
 void BlendSheet::end_in_point(const DirectedEdge& half, const NarrowEnd& point) {
   const RolledStrip& strip = strip_of(half).strip;
-  const TopoDS_Vertex vertex = body_.vertex(half);
+  const TopoDS_Vertex vertex = narrow_vertex(half, point);
   const Ring ring = body_.round(half);
   StripEnd& end = end_of(half);
   end.t = {point.t, point.t};

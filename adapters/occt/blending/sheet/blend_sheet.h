@@ -126,6 +126,7 @@ class BlendSheet {
   bool is_set_back(const Ring& ring);
   void blunt_unless(const std::vector<DirectedEdge>& halves, const std::function<void()>& ended);
   bool end_in_point(const std::vector<DirectedEdge>& halves);
+  TopoDS_Vertex narrow_vertex(const DirectedEdge& half, const NarrowEnd& point);
   void end_in_point(const DirectedEdge& half, const NarrowEnd& point);
   void cap(const Ring& ring);
   bool blunt(const Ring& ring, const std::string& why);

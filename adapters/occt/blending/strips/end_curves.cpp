@@ -171,11 +171,25 @@ Handle(Geom2d_Curve)
   }
 }
 
+// How far the faces beside an edge are apart at a place of it, across them.
+double gap_at(const BodyEdges& body, int edge, double parameter) {
+  std::array<Vec3, 2> on;
+  for (const bool forward : {true, false}) {
+    const EdgeUseInFace& use = body.use(edge, forward);
+    const Vec2 chart = point_at(use.coedge->curve, parameter), scale = body.trims(use.face).scale;
+    const gp_Pnt point =
+        BRep_Tool::Surface(body.face(use.face))->Value(chart[0] / scale[0], chart[1] / scale[1]);
+    on[forward ? 0 : 1] = {point.X(), point.Y(), point.Z()};
+  }
+  return std::abs(dot(on[0] - on[1], body.corner(body.use(edge, true), parameter).normal));
+}
+
 }  // namespace
 
 // With x along the edge and y across it, the faces at its end turn against each other by a x, so
-// that offsets of theirs are a x y apart, to within e, the tolerance. Where that is 0 may be
-// sqrt(2 e / a) beside the vertex; there the faces turn by sqrt(2 e a).
+// that offsets of theirs are a x y apart, to within e: the tolerance, or what the faces are apart
+// there. Where that is 0 may be sqrt(2 e / a) beside the vertex; there the faces turn by
+// sqrt(2 e a).
 std::optional<NarrowEnd> narrow_end(const BodyEdges& body, const RolledStrip& strip,
                                     const DirectedEdge& half, double tolerance) {
   double first = 0, last = 0;
@@ -192,14 +206,15 @@ std::optional<NarrowEnd> narrow_end(const BodyEdges& body, const RolledStrip& st
   const Vec3 place = point_of(vertex);
   const double rate =
       turn(beside) / distance(body.corner(body.use(half.edge, true), beside).point, place);
+  const double apart = std::max(tolerance, gap_at(body, half.edge, end));
   NarrowEnd found;
   found.t = nearest_on(strip.contacts[0].curve, strip.range, place);
-  found.room = std::max(BRep_Tool::Tolerance(vertex), std::sqrt(2 * tolerance / rate));
+  found.room = std::max(BRep_Tool::Tolerance(vertex), std::sqrt(2 * apart / rate));
   const auto contact = [&](std::size_t side) {
     return vec(strip.contacts[side].curve->Value(found.t));
   };
   found.off = std::max(distance(contact(0), place), distance(contact(1), place));
-  const double most = kSamePlace * tolerance + strip.radius * std::sqrt(2 * tolerance * rate);
+  const double most = kSamePlace * apart + strip.radius * std::sqrt(2 * apart * rate);
   if (!(found.off <= found.room) || distance(contact(0), contact(1)) > most) return std::nullopt;
   return found;
 }
