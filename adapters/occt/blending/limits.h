@@ -14,4 +14,10 @@ inline constexpr double kSamePlace = 10;
 /// choice: each of them is searched anew, and what has not arrived after so many goes round.
 inline constexpr int kMaxFacesInARow = 16;
 
+/// Radii past the place where one contact leaves its face, so far the other one is followed to
+/// where it leaves its own. Contacts are at most two radii apart; a border across both that makes
+/// an angle alpha with the way lets them leave 2 cot(alpha) radii one after the other. A choice: 14
+/// degrees.
+inline constexpr double kEndRadii = 8;
+
 }  // namespace blossom::occt

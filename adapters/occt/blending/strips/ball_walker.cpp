@@ -23,10 +23,6 @@ namespace {
 // does not count.
 constexpr double kGrowth = 4;
 constexpr double kGrowthAway = 2;
-// Radii past the place where one contact leaves its face, so far the other one is followed to where
-// it leaves its own. Contacts are at most two radii apart; a border across both that makes an angle
-// alpha with the way lets them leave 2 cot(alpha) radii one after the other. A choice: 14 degrees.
-constexpr double kEndRadii = 8;
 // Halvings of the way of a ball that turns back, to a thousandth of it.
 constexpr int kTurnSteps = 10;
 

@@ -229,7 +229,8 @@ void Tracing::find_valid(double parameter) {
          ball.contacts[static_cast<std::size_t>(tightest.support)].point);
 }
 
-// Whether the track comes to the end of the edge, or about as near as the strip is wide.
+// Whether the track comes to the end of the edge, or as near as the border of a surface there lets
+// it.
 void Tracing::check_reach(double end, const Vec3& vertex, double room) const {
   const BallPoint ball = track->at(end);
   if (std::abs(dot(vertex - ball.centre, unit(ball.centre_rate))) <= room) return;
@@ -311,8 +312,9 @@ RolledStrip Tracing::beside_edge(double beyond) {
   if (length(edge_range) <= 0)
     refuse(FilletFault::NoBall, "the ball does not roll along the edge", {});
   const DirectedEdge low{edge, !turned}, high{edge, turned};
-  check_reach(edge_range.from, point_of(body.vertex(low)), beyond);
-  check_reach(edge_range.to, point_of(body.vertex(high)), beyond);
+  const double room = std::max(beyond, kEndRadii * radius);
+  check_reach(edge_range.from, point_of(body.vertex(low)), room);
+  check_reach(edge_range.to, point_of(body.vertex(high)), room);
   const Interval range = common({edge_range.from - beyond, edge_range.to + beyond}, valid);
   return strip(turned ? Interval{-range.to, -range.from} : range);
 }
