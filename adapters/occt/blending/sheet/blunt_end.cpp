@@ -119,6 +119,9 @@ std::optional<TopoDS_Vertex> BlendSheet::wall_foot(const DirectedEdge& half, dou
     if (x <= range.from || x >= range.to) return std::nullopt;
     f = off(x);
   }
+  const TopoDS_Vertex vertex = body_.vertex(half);
+  const double left = distance(vec(curve->Value(x).XYZ()), point_of(vertex));
+  if (left <= BRep_Tool::Tolerance(vertex)) return vertex;  // nothing of the edge would be left
   const int split = splits_.add(edge, x, body_.face(strip.contacts[0].face));
   if (split == EdgeSplits::kFirst || split == EdgeSplits::kLast) return std::nullopt;
   border_.cuts.push_back({half.edge, split, !half.at_start});
