@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Fuse.hxx>
-#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -20,11 +19,8 @@
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
-#include <Geom_Plane.hxx>
-#include <Geom_Surface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -35,7 +31,6 @@
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pnt.hxx>
-#include <gp_Vec.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
@@ -117,45 +112,6 @@ TEST(FilletOfFacesThatMeetSmoothlyInAVertex, NarrowsToAPointThere) {
     EXPECT_LT(made.solids.front().volume, made.volume_before);
     for (TopExp_Explorer it(solid, TopAbs_VERTEX); it.More(); it.Next())
       EXPECT_LT(BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())), 1e-4) << radius;
-  }
-}
-
-// The lens with one of its side faces moved off its edges, which have tolerances for that.
-TopoDS_Shape lens_apart(double by) {
-  const TopoDS_Shape shape = BRepBuilderAPI_Copy(lens_over_circle()).Shape();
-  const BRep_Builder builder;
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
-    const TopoDS_Face face = TopoDS::Face(it.Current());
-    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);  // its own, as it is a copy
-    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-    surface->Bounds(u0, u1, v0, v1);
-    if (surface->IsKind(STANDARD_TYPE(Geom_Plane)) || surface->Value((u0 + u1) / 2, v0).Y() < 1)
-      continue;
-    surface->Translate(gp_Vec(0, by, 0));
-    for (TopExp_Explorer of(face, TopAbs_EDGE); of.More(); of.Next())
-      builder.UpdateEdge(TopoDS::Edge(of.Current()), 2 * std::abs(by));
-    for (TopExp_Explorer of(face, TopAbs_VERTEX); of.More(); of.Next())
-      builder.UpdateVertex(TopoDS::Vertex(of.Current()), 2 * std::abs(by));
-  }
-  return shape;
-}
-
-// Faces 5e-7 apart turn against each other by y / 12: strips come to a point some 0.004 beside the
-// vertex, on the edge, of which the rest is smooth and stays.
-TEST(FilletOfFacesThatMeetSmoothlyInAVertex, NarrowsToAPointAsFarAsTheyAreApart) {
-  for (const double by : {5e-7, -5e-7}) {
-    const TopoDS_Shape shape = lens_apart(by);
-    ASSERT_TRUE(BRepCheck_Analyzer(shape).IsValid());
-    for (const int side : edges_at_height(shape, 5)) {
-      const FilletResult made = fillet(shape, {side}, {.radius = 1});
-      expect_sound(made);
-      if (made.solids.empty()) continue;
-      EXPECT_TRUE(made.notes.empty()) << made.notes.front();
-      EXPECT_EQ(made.solids.front().faces.size(), 5U);
-      EXPECT_LT(made.solids.front().volume, made.volume_before);
-      for (TopExp_Explorer it(made.solids.front().solid, TopAbs_VERTEX); it.More(); it.Next())
-        EXPECT_LT(BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())), 1e-4) << by;
-    }
   }
 }
 
