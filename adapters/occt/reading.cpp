@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <system_error>
 
 namespace blossom::occt {
 namespace {
@@ -29,6 +30,17 @@ int count_of(const std::vector<Loss>& losses, bool of_shape) {
 }
 
 }  // namespace
+
+double reading_allowance(double bytes) { return 1 + 1.5e-5 * bytes; }
+
+double reading_allowance(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
+  const std::string ending = file.extension().string();
+  const bool packed =
+      ending.ends_with('z') || ending.ends_with('Z') || ending == ".zip" || ending == ".ZIP";
+  return error ? 1 : reading_allowance(packed ? 10 * bytes : bytes);
+}
 
 const char* to_string(ReadingGrade grade) {
   switch (grade) {

@@ -77,4 +77,7 @@ struct ReadOptions {
 /// to ten times as long as they seem.
 double reading_allowance(const std::filesystem::path& file);
 
+/// The same for so many bytes that are not packed.
+double reading_allowance(double bytes);
+
 }  // namespace blossom::occt

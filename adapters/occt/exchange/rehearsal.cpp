@@ -247,9 +247,6 @@ Rehearsal rehearse(const Reader& reader, rlim_t processor_seconds,
   return {board->finished, signal == SIGXCPU, board->step};
 }
 
-/// Processor seconds for so many bytes that are not packed.
-double allowance(double bytes) { return 1 + 1.5e-5 * bytes; }
-
 rlim_t whole_seconds(double seconds) { return static_cast<rlim_t>(std::ceil(seconds)); }
 
 [[noreturn]] void refuse_unfinished(const std::string& name, const Rehearsal& done,
@@ -261,15 +258,6 @@ rlim_t whole_seconds(double seconds) { return static_cast<rlim_t>(std::ceil(seco
 }
 
 }  // namespace
-
-double reading_allowance(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
-  const std::string ending = file.extension().string();
-  const bool packed =
-      ending.ends_with('z') || ending.ends_with('Z') || ending == ".zip" || ending == ".ZIP";
-  return error ? 1 : allowance(packed ? 10 * bytes : bytes);
-}
 
 Model read_model_in_child(const std::filesystem::path& file, const ReadOptions& options,
                           const std::function<void()>& stop) {
@@ -300,7 +288,7 @@ Model read_model_in_child(const std::filesystem::path& file, const ReadOptions& 
 
 TopoDS_Shape rehearsed_shape_from_bytes(std::string_view bytes, const std::string& name,
                                         const std::function<void()>& stop) {
-  const rlim_t seconds = whole_seconds(allowance(static_cast<double>(bytes.size())));
+  const rlim_t seconds = whole_seconds(reading_allowance(static_cast<double>(bytes.size())));
   TopoDS_Shape shape;
   const auto read = [&](const Step& step) {
     step("reading the shapes");
