@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <BRepAlgoAPI_Common.hxx>
@@ -26,6 +27,7 @@
 #include <BRep_Tool.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_Plane.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -34,6 +36,7 @@
 #include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Vec.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
@@ -375,6 +378,51 @@ TEST(ChamferOfALoft, GoesRoundItsCircleOverTheEdgesThatBeginThere) {
     testing::expect_sound(made);
     EXPECT_EQ(made.edges.size(), upper.size()) << d;
   }
+}
+
+// Of the band between a parabola, y = x x / 40 where |x| <= 10, and its offset inwards.
+double band_area(double offset) {
+  constexpr int kParts = 2000;
+  const auto height = [&](double x) {
+    double t = x;  // whose offset is above x
+    for (int i = 0; i < 50; ++i) t = x + offset * (t / 20) / std::hypot(1, t / 20);
+    return t * t / 40 + offset / std::hypot(1, t / 20) - x * x / 40;
+  };
+  double sum = 0;
+  for (int i = 0; i < kParts; ++i) sum += height(20 * (i + 0.5) / kParts - 10);
+  return sum * 20 / kParts;
+}
+
+// Its ends are slanted: borders go on past them, on the parabola's own way on. Each layer of what
+// is cut off is a band.
+TEST(ChamferOfASplineEdge, GoesOnPastItsEndsWhereItsFacesCross) {
+  TColgp_Array1OfPnt poles(1, 3);
+  poles(1) = {-10, 2.5, 0};
+  poles(2) = {0, -2.5, 0};
+  poles(3) = {10, 2.5, 0};
+  BRepBuilderAPI_MakePolygon sides(poles(3), gp_Pnt(10, 20, 0), gp_Pnt(-10, 20, 0), poles(1));
+  BRepBuilderAPI_MakeWire outline(BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles)));
+  outline.Add(sides.Wire());
+  const TopoDS_Shape shape =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()), gp_Vec(0, 0, 10));
+  const auto edge = convex_edges(shape, [](const EdgeFacts& each) {
+    return std::abs(each.middle[2] - 10) < 1e-6 && each.middle[1] < 2;
+  });
+  ASSERT_EQ(edge.size(), 1U);
+  for (const double d : {0.3, 1.5, 4.0})
+    for (const auto& angle : {std::optional<double>{}, std::optional<double>{kPi / 4}}) {
+      FilletOptions options;
+      options.chamfer = ChamferSize{d, {}, angle};
+      const FilletResult made = fillet(shape, edge, options);
+      ASSERT_EQ(made.solids.size(), 1U);
+      testing::expect_sound(made);
+      EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+      // Simpson's rule over the layers.
+      double removed = 0;
+      for (const auto& [share, weight] : {std::pair{0., 1.}, {0.5, 4.}, {1., 1.}})
+        removed += d / 6 * weight * band_area(share * d);
+      EXPECT_NEAR(made.volume_before - made.solids.front().volume, removed, 1e-4 * removed) << d;
+    }
 }
 
 // The middle of the steps, which go beyond the edge by some distances, is rounded to 0.
