@@ -198,7 +198,7 @@ void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
     work.set_own(own);
     if (!found && why.fault != FilletFault::Edge)
       why.tried = std::string("; of the smaller ") + (options.chamfer ? "distances" : "radii") +
-                  " tried none works either";
+                  " tried none works either, larger ones were not tried";
     if (!found) return;
     why.largest = found->radius;
     why.of_chamfer = options.chamfer.has_value();

@@ -425,6 +425,16 @@ TEST(ChamferOfASplineEdge, GoesOnPastItsEndsWhereItsFacesCross) {
     }
 }
 
+TEST(ChamferRefuses, SaysThatOnlySmallerDistancesWereTried) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
+  FilletOptions options;
+  options.chamfer = ChamferSize{1, {}, 2.0};  // away from the other face
+  const FilletResult made = fillet(box, {1}, options);
+  ASSERT_EQ(made.refused.size(), 1U);
+  const std::string text = made.refused.front().text();
+  EXPECT_NE(text.find("none works either, larger ones were not tried"), std::string::npos) << text;
+}
+
 // The middle of the steps, which go beyond the edge by some distances, is rounded to 0.
 TEST(ChamferRefuses, DistancesBesideWhichTheEdgeIsNothing) {
   const TopoDS_Shape bar = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 10, 10).Shape(),
