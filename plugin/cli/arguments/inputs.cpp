@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
 #include "adapters/occt/base/compounds.h"
@@ -69,10 +70,15 @@ std::shared_ptr<occt::Model> model_of(const std::filesystem::path& file) {
   return model;
 }
 
+constexpr const char* kTakesEdges =
+    "; 'blossom trim --solid common', cut or split takes edges and wires";
+
 // Each once, in increasing order.
-std::vector<int> chosen_numbers(const InputName& name, int count, Faces need) {
+std::vector<int> chosen_numbers(const InputName& name, const TopoDS_Shape& all, int count,
+                                Faces need) {
   if (count == 0 && need == Faces::Required)
-    throw occt::BadModel(name.file.string() + ": there is no face in it");
+    throw occt::BadModel(name.file.string() + ": there is no face in it" +
+                         (TopExp_Explorer(all, TopAbs_EDGE).More() ? kTakesEdges : ""));
   std::set<int> wanted;
   for (const auto& [first, last] : name.faces) {
     if (last > count)
@@ -111,7 +117,8 @@ void select(const InputName& name, Faces need, Input& input) {
   const reports::Selection selection = reports::selection_of(input.model, name.words);
   reports::choose(selection, input);
   if (need == Faces::Required && !input.edges.empty())
-    throw UsageError("input '" + input.name + "': an edge is named where faces are wanted");
+    throw UsageError("input '" + input.name + "': an edge is named where faces are wanted" +
+                     kTakesEdges);
 }
 
 // A limit of 0 leaves faces loose, and so does what Open CASCADE fails on, or breaks down on:
@@ -209,7 +216,7 @@ Input read_input(const std::string& text, Faces need, reports::Repairing repair,
     sew(name.file, *model, input);
   if (!name.words.empty()) name = with_whole_names(std::move(name), text, *model);
   input.shape = model->shape();
-  input.numbers = chosen_numbers(name, model->face_count(), need);
+  input.numbers = chosen_numbers(name, input.shape, model->face_count(), need);
   if (!name.words.empty()) select(name, need, input);
   for (const int number : input.numbers) input.faces.push_back(model->face(number));
   if (repair == reports::Repairing::None) return input;

@@ -88,6 +88,27 @@ TEST_F(TrimSolidsCommand, TakesNamedEdgesAsWires) {
   EXPECT_EQ(past["idle"].size(), 1U);
 }
 
+TEST_F(TrimSolidsCommand, TakesAModelTwice) {
+  const std::string box = folder / "box.brep";
+  for (const std::string& part : {box, box + "#edge:1"}) {
+    const Finished run = blossom({"trim", part, box, box, "--solid", "common", "--json", "-"});
+    ASSERT_LT(run.code, 4) << part << ": " << run.err;
+    EXPECT_NE(json::parse(run.out)["status"], "stopped");
+  }
+}
+
+TEST_F(TrimSolidsCommand, IsNamedWhereFacesAreWantedAndThereAreEdgesAlone) {
+  write(BRepBuilderAPI_MakeEdge(gp_Pnt(-5, 0, 1), gp_Pnt(5, 0, 1)).Edge(), "line.brep");
+  const std::string box = folder / "box.brep";
+  for (const std::string& edges : {std::string(folder / "line.brep"), box + "#edge:1"}) {
+    const Finished run = blossom({"intersect", edges, box});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find("'blossom trim --solid common', cut or split takes edges and wires"),
+              std::string::npos)
+        << run.err;
+  }
+}
+
 // Beside the box, farther away than the tolerance.
 TEST_F(TrimSolidsCommand, FusesAcrossAGapThatFuzzyCovers) {
   write(BRepPrimAPI_MakeBox(gp_Pnt(2 + 1e-4, -2, 0), gp_Pnt(4, 2, 3)).Shape(), "near.brep");

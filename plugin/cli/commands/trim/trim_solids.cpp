@@ -76,9 +76,11 @@ Input input_of(const std::string& text, Json& repairs) {
   return input;
 }
 
-// What is named, or all. Models of their own, even of one file: the part is changed.
+// What is named, or all. Models of their own, even of one file: the part is changed. What another
+// input has as well stays with it.
 occt::Model model_of(Input& input, std::optional<occt::Model> named) {
-  return std::move(named ? *named : input.model);
+  if (named) return *std::move(named);
+  return input.owner.use_count() > 1 ? input.model.copy() : std::move(input.model);
 }
 
 using Models = std::vector<occt::Model>;
