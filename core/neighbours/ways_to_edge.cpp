@@ -24,7 +24,13 @@ FaceCells::FaceCells(const FaceData& data, const Vec3& origin)
     : data_(data),
       cells_(data.surface, origin, CellForm::Auto, kSurfaceOffMiddle, part_test(data.trims)),
       slopes_(static_cast<std::size_t>(cells_.patches())),
-      widths_(static_cast<std::size_t>(cells_.patches())) {}
+      widths_(static_cast<std::size_t>(cells_.patches())) {
+  if (data.trims.largest_gap == 0) return;
+  for (const auto& loop : data.trims.loops)
+    for (const Coedge& coedge : loop)
+      for (const auto& [from, to] : closing_chords(data.trims, coedge))
+        gaps_.push_back(united({from, from}, {to, to}));
+}
 
 bool FaceCells::is_outside(int patch, int cell) {
   std::optional<bool>& outside = facts(patch, cell).outside;
@@ -135,17 +141,7 @@ const std::optional<ElementarySide>& FaceCells::side(const Elementary& surface, 
 
 // Whether a box meets what closes a gap between the ends of coedges.
 bool FaceCells::meets_gap(const PlanarBox& box) const {
-  if (data_.trims.largest_gap == 0) return false;
-  const auto is_in_gap = [&](const Coedge& coedge, int corner, bool start) {
-    const Interval domain = coedge.curve.domain();
-    const Vec2 end = point_at(coedge.curve, start == coedge.reversed ? domain.to : domain.from);
-    const Vec2& joint = data_.trims.corners[static_cast<std::size_t>(corner)];
-    return !are_disjoint(box, united({end, end}, {joint, joint}));
-  };
-  for (const auto& loop : data_.trims.loops)
-    for (const Coedge& coedge : loop)
-      if (is_in_gap(coedge, coedge.from, true) || is_in_gap(coedge, coedge.to, false)) return true;
-  return false;
+  return std::ranges::any_of(gaps_, [&](const PlanarBox& gap) { return !are_disjoint(box, gap); });
 }
 
 PlanarBox FaceCells::chart_box(int patch, const Cell& cell) const {

@@ -87,6 +87,7 @@ class FaceCells {
 
   const FaceData& data_;
   SurfaceCells cells_;
+  std::vector<PlanarBox> gaps_;  // round what closes them between the ends of coedges
   std::vector<std::optional<SlopeNets>> slopes_;
   std::vector<std::array<std::optional<double>, 2>> widths_;      // of patches, across u and v
   std::unordered_map<int, std::optional<ElementarySide>> sides_;  // of patches
