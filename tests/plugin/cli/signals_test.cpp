@@ -169,7 +169,10 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"query", "distance", "part.step", "tool.step", "--json",
                                  "report.json"},
         std::vector<std::string>{"query", "plane", "part.step", "--point", "0,0,4", "--normal",
-                                 "0,0,1", "-o", "out.step", "--json", "report.json"}),
+                                 "0,0,1", "-o", "out.step", "--json", "report.json"},
+        std::vector<std::string>{"query", "mass", "part.step", "--json", "report.json"},
+        std::vector<std::string>{"blend", "strip", "part.step#1", "part.step#2", "-o", "out.step",
+                                 "--json", "report.json"}),
     [](const auto& of) {
       std::string name = of.param[0] + of.param[1];
       std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
