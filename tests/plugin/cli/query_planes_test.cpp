@@ -139,6 +139,17 @@ TEST_F(QueryPlanes, CutsAtOneOffset) {
   EXPECT_EQ(found["planes"][0]["point"], json({0, 0, 1.5}));
 }
 
+TEST_F(QueryPlanes, TakesPlanesAsTrimDoes) {
+  const json one = report({"--plane", "0,0,1,0,0,2"});
+  EXPECT_EQ(one["schema"], "blossom.query/1");
+  EXPECT_EQ(one["wires"].size(), 3u);
+  const json both = report({"--plane", "0,0,1,0,0,1", "--plane", "5,0,0,1,0,0"});
+  ASSERT_EQ(both["planes"].size(), 2u);
+  EXPECT_EQ(both["planes"][1]["point"], json({5, 0, 0}));
+  EXPECT_EQ(run({"--plane", "0,0,1,0,0,0"}).code, 2);
+  EXPECT_EQ(run({"--plane", "0,0,1,0,0,1", "--offsets", "1"}).code, 2);
+}
+
 TEST_F(QueryPlanes, TellsAreasWithoutHoles) {
   const json found = report({"--offsets", "2"});
   const json& parts = found["planes"][0]["parts"];

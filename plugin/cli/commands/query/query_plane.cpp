@@ -34,7 +34,8 @@ struct PlaneCommand {
   std::string point;
   std::string normal;
   std::string offsets;
-  std::string planes;  // a file
+  std::vector<std::string> given;  // one by one
+  std::string planes;              // a file
   CommonOptions common;
   EngineOptions engine;
 };
@@ -46,6 +47,7 @@ struct Answer {
 };
 
 occt::Plane plane_of(const PlaneCommand& options) {
+  if (!options.given.empty()) return parse_plane(options.given.front(), "--plane");
   occt::Plane plane{parse_vector(options.point, "--point"),
                     parse_vector(options.normal, "--normal")};
   const double largest = max_norm(plane.normal);
@@ -133,6 +135,10 @@ void write_outputs(const Input& input, const PlaneCommand& options, const Answer
 // Of the planes that were asked for, when they are many; none if it is a single one.
 std::vector<reports::NamedPlane> planes_of(const PlaneCommand& options) {
   if (!options.planes.empty()) return planes_in(options.planes);
+  std::vector<reports::NamedPlane> planes;
+  for (const std::string& each : options.given)
+    planes.push_back({parse_plane(each, "--plane"), "plane " + std::to_string(planes.size() + 1)});
+  if (planes.size() > 1) return planes;
   if (options.offsets.empty()) return {};
   PlaneCommand base = options;
   if (base.point.empty()) base.point = "0,0,0";
@@ -141,11 +147,11 @@ std::vector<reports::NamedPlane> planes_of(const PlaneCommand& options) {
 }
 
 void check_question(const PlaneCommand& options) {
-  if (!options.offsets.empty() || !options.planes.empty()) return;
+  if (!options.offsets.empty() || !options.planes.empty() || !options.given.empty()) return;
   if (options.point.empty())
     throw UsageError(
-        "query plane needs --point X,Y,Z (a point of the plane), --offsets FROM:TO:NUMBER or "
-        "--planes FILE");
+        "query plane needs --plane X,Y,Z,NX,NY,NZ (a point and the normal), --point X,Y,Z with "
+        "--normal, --offsets FROM:TO:NUMBER or --planes FILE");
   if (options.normal.empty())
     throw UsageError("query plane needs --normal X,Y,Z (its normal; of any length)");
 }
@@ -198,13 +204,23 @@ void add_query_plane(CLI::App& query, int& exit_code) {
                        "the last, or one at an offset; the point is then 0,0,0 and the normal "
                        "0,0,1 unless given")
           ->type_name("FROM:TO:NUMBER");
+  CLI::Option* const plane =
+      command
+          ->add_option("--plane", options->given,
+                       "a plane by a point and its normal; may be given several times")
+          ->type_name("X,Y,Z,NX,NY,NZ")
+          ->allow_extra_args(false)
+          ->excludes(point)
+          ->excludes(normal)
+          ->excludes(offsets);
   command
       ->add_option("--planes", options->planes,
                    "planes of a file, one a line: X,Y,Z,NX,NY,NZ and perhaps a name")
       ->type_name("FILE")
       ->excludes(point)
       ->excludes(normal)
-      ->excludes(offsets);
+      ->excludes(offsets)
+      ->excludes(plane);
   add_common_options(*command, options->common,
                      "write the wires (.step, .brep, .iges, .dxf, .svg, .json)");
   add_engine_options(*command, options->engine);
