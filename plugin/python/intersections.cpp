@@ -143,8 +143,8 @@ reports::Json report_of(const Found& found) {
   const Watch watch;
   const BothTurns turns(*found.a, *found.b, watch);
   const reports::RunTimes times{found.seconds, found.seconds};
-  const reports::Findings findings{found.a->input(), found.b->input(), found.intersection,
-                                   joined_of(found)};
+  const reports::IntersectionFindings findings{found.a->input(), found.b->input(),
+                                               found.intersection, joined_of(found)};
   return found.itself ? reports::self_intersection_report(findings, times)
                       : reports::intersection_report(findings, times);
 }

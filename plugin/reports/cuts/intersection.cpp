@@ -118,7 +118,7 @@ void add_times(const occt::ShapeIntersection& found, const RunTimes& times, Json
   report["seconds_first"] = times.first;
 }
 
-void add_findings(const Findings& findings, Json& report) {
+void add_findings(const IntersectionFindings& findings, Json& report) {
   const auto& [a, b, found, whole] = findings;
   for (const char* list : {"curves", "points", "nodes", "overlaps", "places"})
     report[list] = Json::array();
@@ -263,7 +263,7 @@ Json to_json(const std::optional<Conic>& conic, const Interval& range) {
   return json;
 }
 
-Json intersection_report(const Findings& findings, const RunTimes& times) {
+Json intersection_report(const IntersectionFindings& findings, const RunTimes& times) {
   const auto& [a, b, found, joined] = findings;
   Json report = {{"schema", "blossom.intersection/1"}, {"a", a.name}, {"b", b.name}};
   add_times(found, times, report);
@@ -274,7 +274,7 @@ Json intersection_report(const Findings& findings, const RunTimes& times) {
   return report;
 }
 
-Json self_intersection_report(const Findings& findings, const RunTimes& times) {
+Json self_intersection_report(const IntersectionFindings& findings, const RunTimes& times) {
   const Input& input = findings.a;
   const occt::ShapeIntersection& found = findings.found;
   Json report = {{"schema", "blossom.self-intersection/1"},

@@ -61,7 +61,7 @@ Json to_json(const Place& place);
 Json to_json(const std::optional<Conic>& conic, const Interval& range);
 
 /// What was found between two inputs, or between the faces of one.
-struct Findings {
+struct IntersectionFindings {
   const Input& a;
   const Input& b;
   const occt::ShapeIntersection& found;
@@ -69,10 +69,10 @@ struct Findings {
 };
 
 /// The whole object, schema "blossom.intersection/1".
-Json intersection_report(const Findings& findings, const RunTimes& times);
+Json intersection_report(const IntersectionFindings& findings, const RunTimes& times);
 
 /// Likewise of the faces of one input with themselves, schema "blossom.self-intersection/1"; see
 /// plugin/cli/schemas/self-intersection-1.md.
-Json self_intersection_report(const Findings& findings, const RunTimes& times);
+Json self_intersection_report(const IntersectionFindings& findings, const RunTimes& times);
 
 }  // namespace blossom::reports

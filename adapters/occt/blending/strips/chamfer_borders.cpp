@@ -265,8 +265,8 @@ std::optional<EdgePlace> turned(const EdgePlace& end, EdgePlace place,
   place.along = unit(dot(crossing, end.along) > 0 ? crossing : -crossing);
   if (dot(place.along, end.along) < std::cos(kMaxTurn)) return std::nullopt;
   for (const std::size_t k : {0U, 1U}) {
-    const EdgeSide& from = end.sides[k];
-    EdgeSide& side = place.sides[k];
+    const BesideEdge& from = end.sides[k];
+    BesideEdge& side = place.sides[k];
     side.normal = dot(normals[k], from.normal) > 0 ? normals[k] : -normals[k];
     const Vec3 inwards = unit(cross(side.normal, place.along));
     side.inwards = dot(inwards, from.inwards) > 0 ? inwards : -inwards;
@@ -357,7 +357,7 @@ std::optional<std::array<BorderPoint, 2>> Chamfering::at_edge(double x) const {
   const auto place = place_at(x);
   if (!place) return std::nullopt;
   const Vec3 &origin = place->point, &along = place->along;
-  const std::array<EdgeSide, 2>& sides = place->sides;
+  const std::array<BesideEdge, 2>& sides = place->sides;
   std::array<double, 2> reach = profile.distance;
   const std::size_t given = profile.given, other = 1 - given;
   if (profile.angle) {

@@ -42,7 +42,7 @@ struct BorderPoint {
 };
 
 /// One face beside a point of an edge.
-struct EdgeSide {
+struct BesideEdge {
   Vec3 normal;   ///< outwards, unit
   Vec3 inwards;  ///< into the face, across the edge, unit
   Vec2 uv;       ///< in the parameters of the face's surface
@@ -52,7 +52,7 @@ struct EdgeSide {
 struct EdgePlace {
   Vec3 point;
   Vec3 along;  ///< unit
-  std::array<EdgeSide, 2> sides;
+  std::array<BesideEdge, 2> sides;
 };
 
 /// An edge that is cut off. Sides: the face to the left of the forward edge, the one to the right.

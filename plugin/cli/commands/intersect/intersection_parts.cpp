@@ -92,7 +92,7 @@ int write_outputs(const Input& a, const Input& b, const std::string& title,
   if (given.joined || !options.json.empty() || tells_joined(counts))
     joined =
         occt::joined_intersection(result.found, a.faces, b.faces, [] { return interrupted(); });
-  const reports::Findings findings{a, b, result.found, joined};
+  const reports::IntersectionFindings findings{a, b, result.found, joined};
   std::optional<occt::Model> model;
   if (!options.output.empty() && given.joined)
     model = joined_model(a, b, joined);

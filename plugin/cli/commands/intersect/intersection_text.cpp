@@ -216,8 +216,9 @@ bool tells_joined(const IntersectionCounts& counts) {
   return counts.curves > 1 || counts.overlaps > 0;
 }
 
-std::string intersection_text(const reports::Findings& findings, const std::string& title,
-                              const IntersectionCounts& counts, const reports::RunTimes& times) {
+std::string intersection_text(const reports::IntersectionFindings& findings,
+                              const std::string& title, const IntersectionCounts& counts,
+                              const reports::RunTimes& times) {
   const auto& [a, b, found, joined] = findings;
   std::ostringstream text;
   text << title << ": ";

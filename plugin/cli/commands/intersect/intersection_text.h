@@ -61,7 +61,8 @@ bool tells_joined(const IntersectionCounts& counts);
 
 /// The summary: what was found, and where.
 /// title   of its first line
-std::string intersection_text(const reports::Findings& findings, const std::string& title,
-                              const IntersectionCounts& counts, const reports::RunTimes& times);
+std::string intersection_text(const reports::IntersectionFindings& findings,
+                              const std::string& title, const IntersectionCounts& counts,
+                              const reports::RunTimes& times);
 
 }  // namespace blossom::cli
