@@ -22,6 +22,8 @@
 #include <string_view>
 #include <utility>
 
+#include <Standard_Failure.hxx>
+
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exact/exact_bytes.h"
 #include "adapters/occt/exchange/brep_bytes.h"
@@ -247,6 +249,17 @@ Rehearsal rehearse(const Reader& reader, rlim_t processor_seconds,
   return {board->finished, signal == SIGXCPU, board->step};
 }
 
+/// What the bytes of a child give; nothing where they give none: then it is read again.
+template <class Take>
+auto taken_over(const Take& take) -> std::optional<decltype(take())> {
+  try {
+    return take();
+  } catch (const Standard_Failure&) {
+  } catch (const std::ios_base::failure&) {
+  }
+  return std::nullopt;
+}
+
 rlim_t whole_seconds(double seconds) { return static_cast<rlim_t>(std::ceil(seconds)); }
 
 [[noreturn]] void refuse_unfinished(const std::string& name, const Rehearsal& done,
@@ -278,8 +291,10 @@ Model read_model_in_child(const std::filesystem::path& file, const ReadOptions& 
     };
     const Rehearsal done =
         rehearse({read, [&model] { return ModelBytes::of(*model); }}, seconds, stop);
-    if (done.handed_over) return ModelBytes::model(*done.handed_over, file);
-    if (done.finished) return read_model(file, wanted);
+    if (done.handed_over)
+      if (auto taken = taken_over([&] { return ModelBytes::model(*done.handed_over, file); }))
+        return *std::move(taken);
+    if (done.handed_over || done.finished) return read_model(file, wanted);
     if (done.step.starts_with(kReadingNames) && std::exchange(wanted.names, false)) continue;
     if (done.step.starts_with(kMakingDamaged) && std::exchange(wanted.damaged, false)) continue;
     refuse_unfinished(file.string(), done, seconds);
@@ -295,8 +310,10 @@ TopoDS_Shape rehearsed_shape_from_bytes(std::string_view bytes, const std::strin
     shape = shape_from_bytes(bytes, name);
   };
   const Rehearsal done = rehearse({read, [&shape] { return exact_bytes(shape); }}, seconds, stop);
-  if (done.handed_over) return shape_of_exact_bytes(*done.handed_over);
-  if (!done.finished) refuse_unfinished(name, done, seconds);
+  if (done.handed_over)
+    if (auto taken = taken_over([&] { return shape_of_exact_bytes(*done.handed_over); }))
+      return *std::move(taken);
+  if (!done.handed_over && !done.finished) refuse_unfinished(name, done, seconds);
   return shape_from_bytes(bytes, name);
 }
 
