@@ -30,6 +30,7 @@ constexpr double kShortest = 0.1;          // of the wanted accuracy: no piece n
 constexpr double kNoLength = 1e-4;         // likewise: a piece shorter than this is a point
 constexpr double kLongestTurn = 1.0;       // radians of the tangent in one piece
 constexpr double kMinSine = 1e-3;          // below it, agreement is not tightened further
+constexpr double kLeastSine = 0x1p-26;     // root of a rounding: a smaller one comes of the bend
 constexpr double kStraightOn = 0.9;        // cosine: tangents at a contact that agree so far
 constexpr double kKink = 1e-7;             // tangents farther apart than this: a kink
 constexpr double kCurvatureJump = 1e-6;    // relative; curvatures farther apart: tangent continuous
@@ -341,9 +342,12 @@ class Sampler {
   bool late() const { return work_ != nullptr && work_->late_after_search(); }
 
   // Round a surface that one patch closes a whole loop may be one link: its ends are one point, its
-  // middle is another.
+  // middle is another. Where surfaces cross at a small angle, rounding moves points by its
+  // cosecant, and where they touch by no more than spheres of their size let it.
   bool is_point(const Step& step, const Site& start, const Site& stop) const {
-    const double shortest = kShortest * wanted_.gap;
+    const double sine = std::max(start.point.sine, stop.point.sine);
+    const double noise = wanted_.rounding / std::max(sine, kLeastSine);
+    const double shortest = std::max(kShortest * wanted_.gap, noise);
     if (step.length > shortest) return false;
     if (std::isnan(step.length)) return true;
     const double half_way = 0.5 * (start.station + stop.station);
