@@ -13,7 +13,6 @@
 
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/faces/surface_projector.h"
 
 namespace blossom::occt {
 namespace {
@@ -107,9 +106,11 @@ class BorderFit {
 
  private:
   std::optional<BorderRow> row(double x) const;
-  std::optional<Piece> piece(const Interval& range) const;
+  std::optional<Piece> piece(const Interval& range, const std::optional<BorderRow>& before) const;
   bool is_near(const Piece& piece) const;
-  std::optional<double> add(const Interval& range, int halvings, std::vector<Piece>& pieces) const;
+  std::optional<double> add(const Interval& range, int halvings,
+                            const std::optional<BorderRow>& before,
+                            std::vector<Piece>& pieces) const;
   BorderRow rate_before(std::size_t joint) const;
   BorderRow rate_after(std::size_t joint) const;
   bool is_smooth(std::size_t joint) const;
@@ -127,12 +128,30 @@ std::optional<BorderRow> BorderFit::row(double x) const {
                    b.point[0], b.point[1], b.point[2], b.uv[0], b.uv[1]};
 }
 
-std::optional<Piece> BorderFit::piece(const Interval& range) const {
+// A row with its charts in the turns of another one's, where a surface has a period.
+BorderRow in_turn_of(const BorderRow& other, BorderRow row,
+                     const std::array<Handle(Geom_Surface), 2>& surfaces) {
+  for (const std::size_t side : {0U, 1U})
+    for (const int k : {0, 1}) {
+      const Handle(Geom_Surface)& surface = surfaces[side];
+      if (!(k == 0 ? surface->IsUPeriodic() : surface->IsVPeriodic())) continue;
+      const double turn = k == 0 ? surface->UPeriod() : surface->VPeriod();
+      const int at = (side == 0 ? 3 : 8) + k;
+      row[at] += turn * std::round((other[at] - row[at]) / turn);
+    }
+  return row;
+}
+
+// Charts go on from node to node, and from the row before: round a pole by any number of turns.
+std::optional<Piece> BorderFit::piece(const Interval& range,
+                                      const std::optional<BorderRow>& before) const {
   std::array<BorderRow, kBorderDegree + 1> values;
+  std::optional<BorderRow> last = before;
   for (int i = 0; i <= kBorderDegree; ++i) {
     const auto known = row(at(range, node(i)));
     if (!known) return std::nullopt;
-    values[static_cast<std::size_t>(i)] = *known;
+    last = last ? in_turn_of(*last, *known, of_.surfaces) : *known;
+    values[static_cast<std::size_t>(i)] = *last;
   }
   return Piece{range, bezier_through(values)};
 }
@@ -155,30 +174,35 @@ bool BorderFit::is_near(const Piece& piece) const {
 }
 
 // Pieces from `range.from` on, by halves; where they end before the other end, a place there.
+//
+// before   the row at the end of what the first one goes on from
 std::optional<double> BorderFit::add(const Interval& range, int halvings,
+                                     const std::optional<BorderRow>& before,
                                      std::vector<Piece>& pieces) const {
-  const auto made = piece(range);
+  const auto made = piece(range, pieces.empty() ? before : pieces.back().points.back());
   if (made && is_near(*made)) {
     pieces.push_back(*made);
     return std::nullopt;
   }
   const double middle = at(range, 0.5);
   if (halvings == 0) return middle;
-  const auto ended = add({range.from, middle}, halvings - 1, pieces);
-  return ended ? ended : add({middle, range.to}, halvings - 1, pieces);
+  const auto ended = add({range.from, middle}, halvings - 1, before, pieces);
+  return ended ? ended : add({middle, range.to}, halvings - 1, before, pieces);
 }
 
 void BorderFit::add(const Interval& range) {
-  const auto ended = add(range, kMaxHalvings, pieces_);
+  const auto ended = add(range, kMaxHalvings, std::nullopt, pieces_);
   if (!ended) return;
   of_.refuse(row(*ended) ? "the chamfer's border on a face is no smooth curve" : kNoBorderPoint,
              *ended);
 }
 
 void BorderFit::add_past_end(const Interval& range) {
+  const bool rises = range.from <= range.to;
   std::vector<Piece> found;
-  add(range, kMaxHalvings, found);
-  if (range.from <= range.to) {
+  add(range, kMaxHalvings, rises ? pieces_.back().points.back() : pieces_.front().points.front(),
+      found);
+  if (rises) {
     pieces_.insert(pieces_.end(), found.begin(), found.end());
     return;
   }
@@ -312,6 +336,14 @@ EdgePlace Chamfering::on_edge(double x) const {
   return place;
 }
 
+// Parameters near a point that is near one whose are known: those of its foot point where there is
+// a formula for it, which poles do not disturb, else by the tangent plane.
+Vec2 Chamfering::step_to(std::size_t side, const Vec2& from, const Vec3& point) const {
+  if (feet[side]) return feet[side]->foot(point, from);
+  const SurfaceJet frame = frame_at(surfaces[side], from);
+  return from + chart_step(frame, point - frame.point);
+}
+
 // The point of both surfaces, and of the plane across the edge's end at a way from it: the tangent
 // planes at the feet of the last point, and that plane, meet in the next one.
 std::optional<EdgePlace> Chamfering::past_end(const EdgePlace& end, double way) const {
@@ -323,8 +355,7 @@ std::optional<EdgePlace> Chamfering::past_end(const EdgePlace& end, double way) 
     double off = 0;
     for (const std::size_t k : {0U, 1U}) {
       Vec2& uv = place.sides[k].uv;
-      const SurfaceJet last = frame_at(surfaces[k], uv);
-      uv += chart_step(last, place.point - last.point);
+      uv = step_to(k, uv, place.point);
       const SurfaceJet at = frame_at(surfaces[k], uv);
       points[k] = at.point;
       normals[k] = unit(cross(at.du, at.dv));
@@ -369,9 +400,7 @@ std::optional<std::array<BorderPoint, 2>> Chamfering::at_edge(double x) const {
   }
   std::array<BorderPoint, 2> found;
   for (const std::size_t k : {given, other}) {
-    const SurfaceJet frame = frame_at(surfaces[k], sides[k].uv);
-    const Vec3 step = origin + reach[k] * sides[k].inwards - frame.point;
-    const Vec2 start = sides[k].uv + chart_step(frame, step);
+    const Vec2 start = step_to(k, sides[k].uv, origin + reach[k] * sides[k].inwards);
     std::optional<BorderPoint> made;
     if (k == other && profile.angle) {
       const double turn = concave ? 1 : -1;

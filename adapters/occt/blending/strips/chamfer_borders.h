@@ -22,6 +22,7 @@
 
 #include "adapters/occt/blending/body_edges.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
+#include "adapters/occt/faces/surface_projector.h"
 #include "core/forms/spline.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
@@ -64,6 +65,7 @@ struct Chamfering {
   Handle(Geom_Curve) curve{};
   Interval domain{};
   std::array<Handle(Geom_Surface), 2> surfaces{};
+  std::array<std::optional<SurfaceProjector>, 2> feet{};  ///< of elementary surfaces
 
   /// The edge at a parameter; past an end of a spline as far beyond the plane across it as the
   /// speed there says. Nothing where the surfaces do not cross on, or the way there turns by a
@@ -84,6 +86,7 @@ struct Chamfering {
  private:
   EdgePlace on_edge(double x) const;
   std::optional<EdgePlace> past_end(const EdgePlace& end, double way) const;
+  Vec2 step_to(std::size_t side, const Vec2& from, const Vec3& point) const;
 };
 
 /// Both borders by the edge's parameter, all with the same knots: pieces of degree 5 with common

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -40,31 +41,39 @@ namespace {
 
 constexpr double kChamferBeyond = 4;  // distances: how far open strips go on past the edge
 constexpr double kSameForm = 1e-9;    // of the distance: borders that are lines and circles
-constexpr int kSteps = 16;            // along the edge, by which it is seen how far borders go
+constexpr int kSteps = 16;  // along the edge, and past each end, to see how far borders go
 
 struct Borders {
   std::vector<double> at;
   std::array<std::vector<BorderPoint>, 2> points;
 };
 
-// As far beyond the edge as there are points on both faces.
-Borders borders_over(const Chamfering& of, const Interval& wanted, int steps) {
-  Borders made;
-  for (int i = 0; i <= steps; ++i) {
-    const double x = at(wanted, static_cast<double>(i) / steps);
-    const auto both = of.at_edge(x);
-    const bool on_edge = x >= of.domain.from && x <= of.domain.to;
-    if (!both && on_edge) of.refuse(kNoBorderPoint, x);
-    if (!both && x > of.domain.to) break;
-    if (!both) {
-      made = {};
-      continue;
+// Those of the edge, and as far beyond it as there are points on both faces.
+Borders borders_over(const Chamfering& of, const Interval& wanted) {
+  using Row = std::pair<double, std::array<BorderPoint, 2>>;
+  std::vector<Row> rows;
+  const auto add_from = [&](double end, double goal) {
+    for (int i = 1; i <= kSteps && goal != end; ++i) {
+      const double x = at(Interval{end, goal}, static_cast<double>(i) / kSteps);
+      const auto both = of.at_edge(x);
+      if (!both) return;
+      rows.emplace_back(x, *both);
     }
-    made.at.push_back(x);
-    for (const std::size_t k : {0U, 1U}) made.points[k].push_back((*both)[k]);
+  };
+  for (int i = 0; i <= kSteps; ++i) {
+    const double x = at(of.domain, static_cast<double>(i) / kSteps);
+    const auto both = of.at_edge(x);
+    if (!both) of.refuse(kNoBorderPoint, x);
+    rows.emplace_back(x, *both);
   }
-  if (made.at.empty())  // the steps are so large that none is on the edge
-    of.refuse(kNoBorderPoint, at(of.domain, 0.5));
+  add_from(of.domain.from, wanted.from);
+  add_from(of.domain.to, wanted.to);
+  std::ranges::sort(rows, {}, &Row::first);
+  Borders made;
+  for (const auto& [x, both] : rows) {
+    made.at.push_back(x);
+    for (const std::size_t k : {0U, 1U}) made.points[k].push_back(both[k]);
+  }
   return made;
 }
 
@@ -249,8 +258,11 @@ RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
                           const ChamferProfile& profile) {
   Chamfering of{body, edge, concave, profile};
   of.curve = BRep_Tool::Curve(body.edge(edge), of.domain.from, of.domain.to);
-  for (const std::size_t k : {0U, 1U})
-    of.surfaces[k] = BRep_Tool::Surface(body.face(body.use(edge, k == 0).face));
+  for (const std::size_t k : {0U, 1U}) {
+    const TopoDS_Face face = body.face(body.use(edge, k == 0).face);
+    of.surfaces[k] = BRep_Tool::Surface(face);
+    if (is_elementary(of.surfaces[k])) of.feet[k].emplace(face, Precision::Confusion());
+  }
   RolledStrip strip;
   strip.edge = edge;
   strip.concave = concave;
@@ -267,7 +279,7 @@ RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
     beyond = std::min({beyond, kMaxTurn, std::max(0.25 * left, 0.0)});
   }
   const Interval wanted{of.domain.from - beyond, of.domain.to + beyond};
-  const Borders borders = borders_over(of, wanted, kSteps);
+  const Borders borders = borders_over(of, wanted);
   check_ways(of, borders);
   const bool exact =
       (form.GetType() == GeomAbs_Line && set_plane(of, borders, form.Line(), strip)) ||
