@@ -22,12 +22,15 @@ def core_of(shape: Any, name: str) -> _core.Model:
 def cutters_of(
     question: str, shapes: Any, planes: Any
 ) -> Tuple[List[_core.Model], List[Tuple[_checks.Triple, _checks.Triple]]]:
-    """Tools and planes, of which there is at least one."""
-    tools = [core_of(shape, f"tool {i}") for i, shape in enumerate(shapes, start=1)]
-    listed = _checks.planes(planes, "planes")
-    if not tools and not listed:
+    """Tools and planes, of which there is at least one. Tools may be in lists, as Part takes them."""
+    listed: List[Any] = []
+    for shape in shapes:
+        listed += shape if isinstance(shape, (list, tuple)) else [shape]
+    tools = [core_of(shape, f"tool {i}") for i, shape in enumerate(listed, start=1)]
+    given = _checks.planes(planes, "planes")
+    if not tools and not given:
         raise ValueError(f"{question} needs a tool, or a plane")
-    return tools, listed
+    return tools, given
 
 
 class Operations(_results.MadeShape):
@@ -38,6 +41,7 @@ class Operations(_results.MadeShape):
     ) -> Trim:
         """The faces cut along their intersections with tools.
 
+        tools    one by one, or in a list
         keep     "above" (where the tools' normals point), "below", "inside", "outside" (of solid
                  tools), "all", or the number of a piece
         planes   pairs (point, normal) that cut, too
@@ -59,6 +63,7 @@ class Operations(_results.MadeShape):
     ) -> Solid:
         """The closed solid or the sheet combined with others.
 
+        tools       one by one, or in a list
         operation   "cut", "common", "fuse", or "split": cut and common side by side. Sheets are cut
                     by solids, divided by sheets and fused with them, and they split solids;
                     edges without faces are cut by all of these

@@ -140,6 +140,18 @@ class KnownFigures(unittest.TestCase):
         self.assertEqual(len(halves), 2)
         self.assertIn("split, complete, 2 solids", repr(halves))
 
+    def test_tools_may_be_in_a_list(self):
+        floor = ((0, 0, 5), (0, 0, 1))
+        low = self.block.solid("cut", planes=[floor])
+        beside = self.block.solid("cut", DRILL, low)
+        for tools in ([DRILL, low], (DRILL, low)):
+            self.assertEqual(self.block.solid("cut", tools).volume, beside.volume)
+        self.assertEqual(self.block.solid("cut", [], planes=[floor]).volume, 60 * 40 * 5)
+        with self.assertRaisesRegex(TypeError, "tool 2: .* is wanted, got int"):
+            self.block.solid("cut", [DRILL, 7])
+        with self.assertRaisesRegex(ValueError, "needs a tool"):
+            self.block.trim([], keep="all")
+
     @unittest.skipIf(Part is None, NO_PART)
     def test_what_is_apart_by_less_than_fuzzy_is_one(self):
         left, right = Part.makeBox(2, 2, 2), Part.makeBox(2, 2, 2)
