@@ -95,6 +95,11 @@ SharedModel read_bytes(const py::bytes& bytes, const std::string& name, bool tru
   });
 }
 
+// An empty compound, as FreeCAD has it for what two solids have in common if that is nothing.
+SharedModel nothing() {
+  return std::make_shared<LoadedModel>("nothing", occt::compound_of(std::vector<TopoDS_Face>{}));
+}
+
 SharedModel from_swig(const py::handle& object, const std::string& name) {
   const std::optional<TopoDS_Shape> shape = shape_from_swig(object);
   if (!shape) return nullptr;
@@ -234,6 +239,7 @@ void add_model(py::module_& module) {
   module.def("read_file", &read_file, arg("path"), arg("strict"), arg("control"));
   module.def("read_passing", &read_passing, arg("path"), arg("name"));
   module.def("read_bytes", &read_bytes, arg("brep"), arg("name"), arg("trusted"));
+  module.def("nothing", &nothing);
   module.def("from_swig", &from_swig, arg("shape"), arg("name"));
 }
 

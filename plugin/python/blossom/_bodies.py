@@ -20,6 +20,10 @@ class Trim(Result):
         """What was left out, and why."""
         return list(self._told()["notes"])
 
+    def _has_found_nothing(self) -> bool:
+        decided = all(piece["side"] != "unknown" for piece in self.pieces)
+        return self.status != "stopped" and decided
+
     def _items(self) -> List[Any]:
         return self.pieces
 
@@ -65,6 +69,9 @@ class Solid(Result):
     def obstacles(self) -> List[str]:
         """Why there is no result; none if it can be used."""
         return list(self._told()["obstacles"])
+
+    def _has_found_nothing(self) -> bool:
+        return self.status != "stopped" and not self.obstacles
 
     def _items(self) -> List[Any]:
         told = self._told()

@@ -72,6 +72,9 @@ class Clash(Result):
         least = self.clearance
         return [pair for pair in self.pairs if _is_finding(pair, least)]
 
+    def _has_found_nothing(self) -> bool:
+        return self.status != "stopped"
+
     def _items(self) -> List[Any]:
         return self.pairs
 

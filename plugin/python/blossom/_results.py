@@ -32,13 +32,17 @@ class MadeShape:
 
         return Model(self._core_model())
 
+    def _passed_model(self) -> _core.Model:
+        """What goes to other programs in memory."""
+        return self._core_model()
+
     def to_brep(self) -> bytes:
-        """The shape as BRep text."""
-        return self._core_model().brep()
+        """The shape as BRep text; where nothing was found, that of an empty compound."""
+        return self._passed_model().brep()
 
     def to_part(self) -> Any:
-        """The shape as one of FreeCAD's Part."""
-        return _shapes.part_shape(self._core_model())
+        """The shape as one of FreeCAD's Part; where nothing was found, an empty compound."""
+        return _shapes.part_shape(self._passed_model())
 
     def to_step(self, path: Union[str, "os.PathLike[str]"], **options: Any) -> None:
         """Writes the shape to a STEP file, with the names and colours that it has."""
@@ -115,6 +119,15 @@ class Result(MadeShape):
                 f"{type(self).__name__}: there is no shape in this answer ({self._summary()})"
             )
         return model
+
+    def _has_found_nothing(self) -> bool:
+        """Whether it is the answer, and not the lack of one, that there is no shape."""
+        return False
+
+    def _passed_model(self) -> _core.Model:
+        if self._model_or_none() is None and self._has_found_nothing():
+            return _core.nothing()
+        return self._core_model()
 
     def to_dict(self, samples: bool = True) -> Report:
         """The report, as the command line writes it; yours to change.

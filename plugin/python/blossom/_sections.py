@@ -209,6 +209,9 @@ class Sections(Drawable):
             )
         return planes
 
+    def _has_found_nothing(self) -> bool:
+        return self.status != "stopped"
+
     def _items(self) -> List[Any]:
         return self.planes
 

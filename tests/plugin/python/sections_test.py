@@ -14,6 +14,7 @@ import support
 FILES = support.made_files()
 BLOCK = blossom.read(FILES / "block.step")
 DRILL = FILES / "drill.step"  # of radius 8, from top to bottom and beyond
+NOTHING = BLOCK.section((0, 0, 50), (0, 0, 1)).to_brep()  # an empty compound
 
 
 class Sections(unittest.TestCase):
@@ -40,6 +41,13 @@ class Sections(unittest.TestCase):
         self.assertAlmostEqual(part.wires[0].area, math.pi * 64, 6)
         self.assertEqual(part.curves[0].degree, 2)
         self.assertEqual(part.curves[0].weights.shape, part.curves[0].poles.shape[:1])
+
+    def test_those_that_meet_nothing_are_an_empty_compound(self):
+        made = BLOCK.sections(offsets=(50, 60))
+
+        self.assertEqual(made.to_brep(), NOTHING)
+        with self.assertRaisesRegex(blossom.Error, "Sections: there is no shape in this answer"):
+            made.write("nothing.step")
 
     def test_each_is_that_of_one_plane(self):
         one = BLOCK.section((0, 0, 5), (0, 0, 1))
@@ -172,8 +180,7 @@ class Clashes(unittest.TestCase):
         self.assertAlmostEqual(close[0].distance[1], 5)
         self.assertEqual(close[0].nearest.shape, (2, 3))
         self.assertEqual((len(close.findings), len(apart.findings)), (1, 0))
-        with self.assertRaisesRegex(blossom.Error, "Clash: there is no shape in this answer"):
-            close.to_brep()
+        self.assertEqual(close.to_brep(), NOTHING)
 
     def test_the_report_is_that_of_the_command_line(self):
         files = FILES / "block.step", DRILL

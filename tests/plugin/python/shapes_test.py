@@ -2,6 +2,7 @@
 """What is taken for a shape: bytes, FreeCAD's shapes themselves, other objects, nets."""
 
 import os
+import pickle
 import re
 import subprocess
 import sys
@@ -146,6 +147,21 @@ class FreeCADShapes(unittest.TestCase):
         box = Part.makeBox(1, 2, 3)
         model = _core.read_bytes(_shapes._part_brep(box), "box", True)
         self.assertEqual(model.face_count, 6)
+
+    def test_answers_that_found_nothing_are_empty_compounds(self):
+        box, far = Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1, FreeCAD.Vector(5, 5, 5))
+        around = Part.makeBox(3, 3, 3, FreeCAD.Vector(-1, -1, -1))
+        model = blossom.shape(box)
+        for answer in (
+            model.intersect(far),
+            model.solid("common", far),
+            model.solid("cut", around),
+            model.trim(around, keep="outside"),
+            model.clash(far),
+            pickle.loads(pickle.dumps(model.solid("common", far))),
+        ):
+            shape = answer.to_part()
+            self.assertEqual((shape.ShapeType, shape.childShapes()), ("Compound", []), answer)
 
     def test_they_are_not_changed(self):
         box = Part.makeBox(1, 2, 3)
