@@ -47,11 +47,8 @@ std::vector<Vec2> images_of(int vertex, const FaceTrims& trims) {
   if (vertex < 0) return images;
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop) {
-      const Interval domain = coedge.curve.domain();
-      if ((coedge.reversed ? coedge.end : coedge.start) == vertex)
-        images.push_back(point_at(coedge.curve, domain.from));
-      if ((coedge.reversed ? coedge.start : coedge.end) == vertex)
-        images.push_back(point_at(coedge.curve, domain.to));
+      if ((coedge.reversed ? coedge.end : coedge.start) == vertex) images.push_back(coedge.ends[0]);
+      if ((coedge.reversed ? coedge.start : coedge.end) == vertex) images.push_back(coedge.ends[1]);
     }
   return images;
 }

@@ -80,6 +80,8 @@ void set_curve(Coedge& coedge, PlanarCurve curve) {
   coedge.boxes.clear();
   for (const PlanarSpan& span : coedge.curve.spans)
     coedge.boxes.push_back(box_of(span.curve.points));
+  const Interval domain = coedge.curve.domain();
+  coedge.ends = {point_at(coedge.curve, domain.from), point_at(coedge.curve, domain.to)};
 }
 
 double past(const PlanarBox& box, const PlanarBox& bounds) {
@@ -238,8 +240,7 @@ PlanarBox box_of(const std::vector<std::vector<Coedge>>& loops) {
 }
 
 Vec2 end_point(const Coedge& coedge, bool last) {
-  const Interval domain = coedge.curve.domain();
-  return point_at(coedge.curve, last != coedge.reversed ? domain.to : domain.from);
+  return coedge.ends[last != coedge.reversed ? 1 : 0];
 }
 
 PlanarCurve chart_curve(const FaceTrims& trims, const Spline2& chart) {

@@ -31,6 +31,7 @@ struct Coedge {
   bool reversed = false;         ///< walked from last to first
   PlanarCurve curve;             ///< in the chart; the parameter is the edge's own
   std::vector<PlanarBox> boxes;  ///< of the curve's spans
+  std::array<Vec2, 2> ends;      ///< of the curve
   bool degenerated = false;      ///< one point in space, as at the pole of a sphere
   double tolerance = 0;          ///< of the edge, model units
   int start = -1;                ///< vertices where its walk along the loop starts and ends
