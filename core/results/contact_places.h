@@ -9,6 +9,10 @@
 
 namespace blossom {
 
+/// The reason of a result that has contacts among its places.
+inline constexpr const char* kTouchInPlaces =
+    "the surfaces touch, or nearly, in the listed contacts";
+
 /// A place that holds points of both surfaces, with their parameters.
 /// gap      the largest distance of the surfaces in it, model units
 /// margin   by which it is wider than the points, model units

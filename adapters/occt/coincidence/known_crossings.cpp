@@ -22,8 +22,6 @@
 namespace blossom::occt {
 namespace {
 
-constexpr const char* kContact = "the surfaces touch, or nearly, in the listed contacts";
-
 // The parameters of a line at which it is in a ball that holds the box; empty if it misses it.
 Interval inside(const Box& box, const Conic& line) {
   const Vec3 middle = 0.5 * (box.low + box.high);
@@ -170,7 +168,7 @@ class KnownCrossings {
   void judge(double gap) {
     if (gap <= within_) return identify(found_.certificate, gap);
     found_.status = weaker(found_.status, Status::Tolerance);
-    if (found_.certificate.reasons.empty()) found_.certificate.reasons.emplace_back(kContact);
+    if (found_.certificate.reasons.empty()) found_.certificate.reasons.emplace_back(kTouchInPlaces);
   }
 
   double least_angle(const IntersectionCurve& curve) const {

@@ -11,6 +11,7 @@
 #include "core/base/work_limit.h"
 #include "core/cells/limits.h"
 #include "core/forms/evaluation.h"
+#include "core/results/contact_places.h"
 #include "core/results/result_places.h"
 #include "core/surfaces/adjacency/smooth_neighbours.h"
 #include "core/surfaces/assembly/border_strip.h"
@@ -245,7 +246,7 @@ class Assembly {
     Place place = place_at(contact, options_.tolerances.point);
     place.kind = PlaceKind::Touch;
     result_.places.push_back(place);
-    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
+    weaken(Status::Tolerance, kTouchInPlaces);
   }
 
   // What has not been fitted in time is listed as not traced.
@@ -339,7 +340,7 @@ class Assembly {
       if (contact.is_node()) result_.nodes.push_back(centre);
     }
     result_.places.push_back(place);
-    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
+    weaken(Status::Tolerance, kTouchInPlaces);
   }
 
   // A curve that only touches the border stays within tolerance of it for about this long.
@@ -357,7 +358,7 @@ class Assembly {
     place.box_low = box.low + origin_;
     place.box_high = box.high + origin_;
     result_.places.push_back(place);
-    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
+    weaken(Status::Tolerance, kTouchInPlaces);
   }
 
   // A contact in the middle of a curve is no isolated point: so near is the chord of two samples.
@@ -440,7 +441,7 @@ class Assembly {
     else if (cluster.singular)
       weaken(Status::Tolerance, "the surface is singular, or nearly, in the listed contacts");
     else
-      weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
+      weaken(Status::Tolerance, kTouchInPlaces);
   }
 
   void add_slow(const SurfaceCells& a, const SurfaceCells& b, const CriticalCluster& cluster) {
@@ -448,7 +449,7 @@ class Assembly {
     result_.places.push_back({PlaceKind::Tangential, cluster.box.low + origin_,
                               cluster.box.high + origin_, 0, kThinGap * r,
                               parameters_of(a, b, found_.slow, cluster)});
-    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
+    weaken(Status::Tolerance, kTouchInPlaces);
   }
 
   void add_known_curves() {

@@ -13,6 +13,7 @@
 
 #include "core/forms/conic.h"
 #include "core/forms/spline.h"
+#include "core/results/contact_places.h"
 #include "core/topology/chart_projector.h"
 #include "core/topology/clipping/arcs_past_border.h"
 #include "core/topology/clipping/curve_clip.h"
@@ -209,6 +210,25 @@ bool may_lie_inside(const FaceTrims& trims, const Interval& u, const Interval& v
   return trims.natural || part_side(trims, u, v) != PartSide::Outside;
 }
 
+Interval widened(const Interval& range, double by) { return {range.from - by, range.to + by}; }
+
+// Whether surfaces that touch in a contact may be within tolerance of each other inside, too.
+bool may_reach_inside(const FaceTrims& trims, const Interval& u, const Interval& v,
+                      double tolerance) {
+  const double reach = tangency_length(trims, tolerance);
+  return may_lie_inside(trims, widened(u, reach / trims.scale[0]),
+                        widened(v, reach / trims.scale[1]));
+}
+
+// Contacts that no face reaches are no reason to doubt that these are apart. Any other one that is
+// left, which may be of any kind, is.
+void trust_far_contacts(bool far, SurfaceIntersection& found) {
+  if (!far || !found.places.empty() || found.status != Status::Tolerance) return;
+  std::vector<std::string>& reasons = found.certificate.reasons;
+  std::erase(reasons, kTouchInPlaces);
+  if (reasons.empty()) found.status = Status::Complete;
+}
+
 // The place of a contact; just its parameters if it has none.
 Place place_of(const SurfacePoint& x, const std::vector<Place>& places) {
   constexpr std::array kWide{PlaceKind::Tangential, PlaceKind::Overlap, PlaceKind::Open};
@@ -276,11 +296,18 @@ std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const Fa
   };
   std::erase_if(found.points, outside);
   std::erase_if(found.nodes, outside);
+  bool far = !found.places.empty();
   std::erase_if(found.places, [&](const Place& place) {
     const auto& at = place.parameters;
-    return place.kind != PlaceKind::Open && (!may_lie_inside(a, at[0], at[1]) ||
-                                             (b != nullptr && !may_lie_inside(*b, at[2], at[3])));
+    const bool erased =
+        place.kind != PlaceKind::Open &&
+        (!may_lie_inside(a, at[0], at[1]) || (b != nullptr && !may_lie_inside(*b, at[2], at[3])));
+    far = far && erased &&
+          (!may_reach_inside(a, at[0], at[1], touching) ||
+           (b != nullptr && !may_reach_inside(*b, at[2], at[3], touching)));
+    return erased;
   });
+  trust_far_contacts(far, found);
   if (!a.natural || (b != nullptr && !b->natural)) found.overlaps.clear();
   leave_new_ones(found, touches);
   std::vector<Touch> told;

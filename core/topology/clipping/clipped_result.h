@@ -21,7 +21,8 @@ std::vector<IntersectionCurve> curve_parts(const IntersectionCurve& whole,
                                            const std::vector<Interval>& parts);
 
 /// Leaves of an intersection what lies inside the trims of both. Common regions of the surfaces
-/// stay among the places only, unless both faces are naturally bounded.
+/// stay among the places only, unless both faces are naturally bounded. Contacts that lie so far
+/// outside that nothing inside is within tolerance are no reason for a weaker status.
 /// b          null if everything of the second surface counts
 /// tolerance  of touches: what goes past a wire by no more than this stays whole; model units
 /// touching   likewise of arcs that keep to a border from end to end: what a curve that touches a

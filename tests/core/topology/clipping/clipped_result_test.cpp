@@ -7,9 +7,11 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "core/results/contact_places.h"
 #include "core/results/hermite_curves.h"
 #include "tests/support/flat_trims.h"
 
@@ -54,6 +56,38 @@ TEST(ClippedTouches, AreOnTheConicAndHaveItsParameters) {
   EXPECT_NEAR(touch.point[0], 2 + kOff, 2e-4);
   EXPECT_NEAR(touch.uv_a[0], touch.point[0], 1e-12);
   EXPECT_NEAR(touch.uv_a[1], touch.point[1], 1e-12);
+}
+
+// A contact in a point of a face's surface, and of all of another one.
+SurfaceIntersection touching_in(const Vec2& uv) {
+  const SurfacePoint x{{uv[0], uv[1], 0}, uv, uv};
+  SurfaceIntersection found;
+  found.points = {x};
+  found.places = {place_of(std::vector{x}, PlaceKind::Touch, 0, 1e-6)};
+  found.status = Status::Tolerance;
+  found.certificate.reasons = {kTouchInPlaces};
+  return found;
+}
+
+TEST(ClippedContacts, AreNoReasonWhereTheyLieFarOutside) {
+  SurfaceIntersection found = touching_in({2, 2});  // in the middle of the hole
+  clip(found, testing::square_without_disc(), nullptr);
+  EXPECT_TRUE(found.places.empty());
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.certificate.reasons.empty());
+}
+
+TEST(ClippedContacts, StayAReasonWhereTheyReachIn) {
+  SurfaceIntersection beside = touching_in({1 + 1e-4, 2});  // of the hole's border
+  clip(beside, testing::square_without_disc(), nullptr);
+  EXPECT_TRUE(beside.places.empty());
+  EXPECT_EQ(beside.status, Status::Tolerance);
+
+  SurfaceIntersection other = touching_in({2, 2});
+  other.certificate.reasons.emplace_back("something else");
+  clip(other, testing::square_without_disc(), nullptr);
+  EXPECT_EQ(other.status, Status::Tolerance);
+  EXPECT_EQ(other.certificate.reasons, std::vector<std::string>{"something else"});
 }
 
 // A disc by angle and radius, as far as 1e-3 from its middle.
