@@ -10,9 +10,11 @@
 #include <unistd.h>
 
 #include <fcntl.h>
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <random>
 #include <string>
@@ -28,6 +30,7 @@
 
 #include "adapters/occt/shapes.h"
 #include "tests/plugin/cli/program.h"
+#include "tests/support/face_holes.h"
 
 extern char** environ;
 
@@ -106,6 +109,7 @@ TEST_P(SignalsAtRandomMoments, LeaveWholeFilesAlone) {
            "ring");
   occt::write_model(part, folder / "part.step");
   occt::write_model(tool, folder / "tool.step");
+  testing::write({testing::slantly_holed()}, folder / "holed.step");
   std::vector<std::string> arguments = GetParam();
   for (std::string& word : arguments)
     if (word.ends_with(".step") || word.ends_with(".json")) word = folder / word;
@@ -133,8 +137,8 @@ TEST_P(SignalsAtRandomMoments, LeaveWholeFilesAlone) {
       // Before the program has begun, a signal ends it in its own way.
       EXPECT_TRUE(code < 5 || code == 130 || code == 128 + signal) << code;
       usleep(50'000);  // the killed program's child goes with it
-      EXPECT_EQ(folder.listing(),
-                (std::vector<std::string>{"out.step", "part.step", "report.json", "tool.step"}));
+      EXPECT_EQ(folder.listing(), (std::vector<std::string>{"holed.step", "out.step", "part.step",
+                                                            "report.json", "tool.step"}));
       const std::string model = testing::text_of(folder / "out.step");
       EXPECT_TRUE(model == old || model.ends_with("END-ISO-10303-21;\n"));
       const std::string report = testing::text_of(folder / "report.json");
@@ -142,6 +146,49 @@ TEST_P(SignalsAtRandomMoments, LeaveWholeFilesAlone) {
     }
   std::cout << "longest end after SIGINT or SIGTERM: " << longest << " s, command: " << whole
             << " s\n";
+}
+
+// Results are lines that are added, of which the last may be half; the next run does the rest.
+TEST(SignalsAtRandomMomentsOfABatch, LeaveWholeLinesAndTheRestToTheNextRun) {
+  constexpr int kJobs = 20;
+  const testing::TestFolder folder;
+  occt::Model part;
+  part.add(plate(3), "plate");
+  occt::write_model(part, folder / "part.step");
+  std::string jobs;
+  for (int i = 0; i < kJobs; ++i)
+    jobs += R"({"id":")" + std::to_string(i) +
+            R"(","arguments":["check","part.step","--json","-"]})" + "\n";
+  testing::write_text(folder / "jobs.jsonl", jobs);
+  const std::vector<std::string> arguments{"batch", folder / "jobs.jsonl", "-o",
+                                           folder / "results.jsonl", "-q"};
+  const auto start = Clock::now();
+  ASSERT_EQ(Running(arguments).finish(), 0);
+  const unsigned seed = from_environment("BLOSSOM_SEED", std::random_device{}());
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> moment(0, seconds_since(start));
+  for (unsigned round = 0; round < from_environment("BLOSSOM_TRIALS", 1); ++round)
+    for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+      std::filesystem::remove(folder / "results.jsonl");
+      const double at = moment(random);
+      SCOPED_TRACE("signal " + std::to_string(signal) + " after " + std::to_string(at) +
+                   " s, seed " + std::to_string(seed));
+      const Running running(arguments);
+      std::this_thread::sleep_for(std::chrono::duration<double>(at));
+      running.send(signal);
+      const auto sent = Clock::now();
+      const int code = running.finish();
+      EXPECT_TRUE(code < 5 || code == 130 || code == 128 + signal) << code;
+      if (signal != SIGKILL) {
+        EXPECT_LT(seconds_since(sent), 1);
+      }
+      usleep(50'000);  // a killed program's children go with it
+      ASSERT_EQ(Running(arguments).finish(), 0);
+      const std::string results = testing::text_of(folder / "results.jsonl");
+      EXPECT_EQ(std::ranges::count(results, '\n'), kJobs);
+      for (int i = 0; i < kJobs; ++i)
+        EXPECT_NE(results.find("\"id\":\"" + std::to_string(i) + '"'), std::string::npos) << i;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -171,6 +218,10 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"query", "plane", "part.step", "--point", "0,0,4", "--normal",
                                  "0,0,1", "-o", "out.step", "--json", "report.json"},
         std::vector<std::string>{"query", "mass", "part.step", "--json", "report.json"},
+        std::vector<std::string>{"blend", "chamfer", "part.step", "--edges", "convex", "--distance",
+                                 "0.2", "-o", "out.step", "--json", "report.json"},
+        std::vector<std::string>{"blend", "fill", "holed.step", "--edges", "5,6,7,8", "-o",
+                                 "out.step", "--json", "report.json"},
         std::vector<std::string>{"blend", "strip", "part.step#1", "part.step#2", "-o", "out.step",
                                  "--json", "report.json"}),
     [](const auto& of) {
