@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <condition_variable>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -16,6 +19,7 @@
 #include <sys/resource.h>
 #endif
 
+#include "adapters/occt/base/errors.h"
 #include "core/base/parallel.h"
 
 namespace blossom::python {
@@ -99,6 +103,14 @@ void serve(Worker* worker) {
   }
 }
 
+void start(Worker* worker) {
+  try {
+    std::thread(serve, worker).detach();
+  } catch (const std::system_error& refused) {
+    throw occt::Failure(std::string("the system has no thread for the work: ") + refused.what());
+  }
+}
+
 Worker* waiting_worker(int priority) {
   const std::lock_guard guard(pool().lock);
   std::vector<Worker*>& idle = pool().idle[priority];
@@ -116,9 +128,11 @@ void run_in_worker(std::function<void()> task, int nice) {
   const int priority = std::min(current_priority() + nice, kLastPriority);
   Worker* worker = waiting_worker(priority);
   if (worker == nullptr) {
-    worker = new Worker{.priority = priority};
-    worker->task = std::move(task);
-    std::thread(serve, worker).detach();
+    auto made = std::make_unique<Worker>();
+    made->priority = priority;
+    made->task = std::move(task);
+    start(made.get());
+    made.release();  // its thread's from now on
     return;
   }
   {

@@ -13,7 +13,10 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
+#include <cstddef>
+#include <cstdlib>
 #include <ctime>
+#include <exception>
 #include <ios>
 #include <mutex>
 #include <new>
@@ -50,6 +53,7 @@ constexpr int kPausesOfStuck = 3000 / kPause;
 /// What the child tells, in memory of both.
 struct Board {
   char step[4096] = "opening";
+  char fault[4096] = "";  ///< of what is read, in words
   bool finished = false;
   bool lacks_memory = false;
   bool handed_over = false;
@@ -94,7 +98,7 @@ class Child {
   std::optional<int> wait(const std::function<void()>& stop) {
     timespec used = processor_time();
     for (int still = 0; still < kPausesOfStuck;) {
-      const pid_t told = waitpid(id_, &status_, WNOHANG);
+      const pid_t told = wait4(id_, &status_, WNOHANG, &used_);
       ended_ = told == id_ || (told < 0 && errno == ECHILD);
       if (stop) stop();  // also after its end: what interrupts both is no fault of what is read
       if (ended_) return told == id_ && WIFSIGNALED(status_) ? WTERMSIG(status_) : 0;
@@ -107,6 +111,9 @@ class Child {
     return std::nullopt;
   }
 
+  /// The most that it had in memory, with what it got from the program; bytes. After its end.
+  std::size_t memory() const { return 1024 * static_cast<std::size_t>(used_.ru_maxrss); }
+
  private:
   timespec processor_time() {
     timespec used{};
@@ -116,6 +123,7 @@ class Child {
 
   pid_t id_;
   int handle_, status_ = 0;
+  rusage used_{};
   std::optional<clockid_t> clock_{};
   bool ended_ = false;
 };
@@ -188,14 +196,27 @@ class Parcel {
   int file_;
 };
 
-/// Why it cannot does not matter: what was read to its end is then read again.
-bool hand_over(const Reader& reader, const Parcel& parcel) {
+/// What cannot be handed over is read again, if there is memory for that.
+void hand_over(const Reader& reader, const Parcel& parcel, Board& board) {
   try {
     const std::optional<std::string> bytes = reader.hand_over();
-    return bytes && parcel.put(*bytes);
+    board.handed_over = bytes && parcel.put(*bytes);
   } catch (...) {
-    return false;
+    board.lacks_memory = is_lack_of_memory();
   }
+}
+
+Board* board_of_child = nullptr;  // set there alone
+
+/// Open CASCADE's destructors throw for want of memory, which nobody can catch.
+[[noreturn]] void end_uncaught() {
+  board_of_child->lacks_memory = is_lack_of_memory();
+  std::abort();
+}
+
+template <std::size_t size>
+void put(std::string_view text, char (&place)[size]) {
+  place[text.copy(place, size - 1)] = '\0';
 }
 
 [[noreturn]] void read_as_child(const Reader& reader, rlim_t processor_seconds, pid_t parent,
@@ -204,36 +225,41 @@ bool hand_over(const Reader& reader, const Parcel& parcel) {
   if (getppid() != parent) _exit(0);
   leave_the_program_alone(processor_seconds);
   new (&exchange_lock()) std::recursive_mutex;  // whose owner there is not here
+  board_of_child = &board;
+  std::set_terminate(end_uncaught);
   bool is_read = false;
   try {
-    reader.read([&board](const char* step) {
-      board.step[std::string_view(step).copy(board.step, sizeof(board.step) - 1)] = '\0';
-    });
+    reader.read([&board](const char* step) { put(step, board.step); });
     is_read = true;
-  } catch (...) {  // faults of the file are told when it is read after this
+  } catch (const BadModel& bad) {
+    put(bad.what(), board.fault);
+  } catch (...) {  // other failures are told when it is read after this
     board.lacks_memory = is_lack_of_memory();
   }
   board.finished = true;
-  board.handed_over = is_read && hand_over(reader, parcel);
+  if (is_read) hand_over(reader, parcel, board);
   _exit(0);
 }
 
 /// How reading ended.
 struct Rehearsal {
   bool finished = true;
-  bool overdue = false;  ///< it took more processor time than it may
-  std::string step{};    ///< that it was at
+  bool overdue = false;    ///< it took more processor time than it may
+  std::string step{};      ///< that it was at
+  std::size_t memory = 0;  ///< that it took, bytes
   std::optional<std::string> handed_over{};
 };
 
 /// Where no process can be made, or the one that is made gets stuck, it is as if reading had ended.
-/// throws   std::bad_alloc if the child lacks memory, of its own or as the system ends it for that
+/// Not for want of memory: reading would then end the program.
+/// throws   std::bad_alloc if the child lacks memory, of its own or as the system ends it for that;
+///          BadModel as it reads: where memory is short, Open CASCADE takes that for a fault
 Rehearsal rehearse(const Reader& reader, rlim_t processor_seconds,
                    const std::function<void()>& stop) {
   const SharedBoard shared;
   const Parcel parcel;
   Board* const board = shared.get();
-  if (board == nullptr) return {};
+  if (board == nullptr) throw std::bad_alloc();
   const pid_t parent = getpid();
   pid_t id = -1;
   {
@@ -241,12 +267,27 @@ Rehearsal rehearse(const Reader& reader, rlim_t processor_seconds,
     id = fork();
   }
   if (id == 0) read_as_child(reader, processor_seconds, parent, *board, parcel);
+  if (id < 0 && errno == ENOMEM) throw std::bad_alloc();
   if (id < 0) return {};
-  const std::optional<int> signal = Child(id).wait(stop);
+  Child child(id);
+  const std::optional<int> signal = child.wait(stop);
   if (!signal) return {};
-  if (board->handed_over && signal == 0) return {.handed_over = parcel.taken()};
+  if (board->handed_over && signal == 0)
+    return {.memory = child.memory(), .handed_over = parcel.taken()};
   if (signal == SIGKILL || board->lacks_memory) throw std::bad_alloc();
-  return {board->finished, signal == SIGXCPU, board->step};
+  if (board->finished && board->fault[0] != '\0') throw BadModel(board->fault);
+  return {board->finished, signal == SIGXCPU, board->step, child.memory()};
+}
+
+/// Before the program does what a child did: want of memory in it may end the program, as Open
+/// CASCADE's destructors throw then.
+/// throws   std::bad_alloc if it cannot have as much
+void make_sure_of(std::size_t memory) {
+  if (memory == 0) return;
+  void* const there = mmap(nullptr, memory, PROT_READ | PROT_WRITE,
+                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (there == MAP_FAILED) throw std::bad_alloc();
+  munmap(there, memory);
 }
 
 /// What the bytes of a child give; nothing where they give none: then it is read again.
@@ -255,6 +296,7 @@ auto taken_over(const Take& take) -> std::optional<decltype(take())> {
   try {
     return take();
   } catch (const Standard_Failure&) {
+    if (is_lack_of_memory()) throw std::bad_alloc();
   } catch (const std::ios_base::failure&) {
   }
   return std::nullopt;
@@ -294,7 +336,10 @@ Model read_model_in_child(const std::filesystem::path& file, const ReadOptions& 
     if (done.handed_over)
       if (auto taken = taken_over([&] { return ModelBytes::model(*done.handed_over, file); }))
         return *std::move(taken);
-    if (done.handed_over || done.finished) return read_model(file, wanted);
+    if (done.handed_over || done.finished) {
+      make_sure_of(done.memory);
+      return read_model(file, wanted);
+    }
     if (done.step.starts_with(kReadingNames) && std::exchange(wanted.names, false)) continue;
     if (done.step.starts_with(kMakingDamaged) && std::exchange(wanted.damaged, false)) continue;
     refuse_unfinished(file.string(), done, seconds);
@@ -314,6 +359,7 @@ TopoDS_Shape rehearsed_shape_from_bytes(std::string_view bytes, const std::strin
     if (auto taken = taken_over([&] { return shape_of_exact_bytes(*done.handed_over); }))
       return *std::move(taken);
   if (!done.handed_over && !done.finished) refuse_unfinished(name, done, seconds);
+  make_sure_of(done.memory);
   return shape_from_bytes(bytes, name);
 }
 

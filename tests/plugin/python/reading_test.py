@@ -4,6 +4,8 @@
 import os
 import pickle
 import re
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -16,6 +18,7 @@ import blossom
 FILES = made_files()
 BLOCK = FILES / "block.step"
 DRILL = FILES / "drill.step"
+HULL = FILES / "hull.step"
 
 
 class Reading(unittest.TestCase):
@@ -133,6 +136,28 @@ class Reading(unittest.TestCase):
             path.write_text(text[: text.index("DATA;") + 6] + nested)
             with self.assertRaisesRegex(ValueError, "crashes while reading the entities"):
                 blossom.read(path)
+
+    @unittest.skipUnless(sys.platform == "linux", "only there memory is bounded like that")
+    def test_want_of_memory_does_not_end_the_program(self):
+        lines = """if True:
+            import resource, sys
+            import blossom
+            pages = int(open("/proc/self/statm").read().split()[0])
+            most = pages * resource.getpagesize() + int(sys.argv[1]) * 2**20
+            resource.setrlimit(resource.RLIMIT_AS, (most, most))
+            try:
+                blossom.read(sys.argv[2])
+            except (MemoryError, ValueError, blossom.Error):
+                pass
+        """
+        for megabytes in (4, 8, 16, 24, 32, 64):
+            ran = subprocess.run(
+                [sys.executable, "-c", lines, str(megabytes), str(HULL)],
+                env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+                capture_output=True,
+                text=True,
+            )
+            self.assertEqual(ran.returncode, 0, f"{megabytes} MB: {ran.stderr}")
 
     def test_no_bytes_end_the_program(self):
         text = blossom.shape(FLOOR).to_brep().decode()

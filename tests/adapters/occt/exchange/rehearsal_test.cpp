@@ -79,9 +79,21 @@ TEST_F(Rehearsing, EndsByWhatInterruptsTheProgram) {
                Interrupted);
 }
 
+TEST_F(Rehearsing, TellsTheFaultsThatTheChildFinds) {
+  try {
+    with([](std::string_view) { throw BadModel("it is wrong there"); });
+    ADD_FAILURE() << "accepted";
+  } catch (const BadModel& error) {
+    EXPECT_TRUE(std::string_view(error.what()).ends_with("part.step: it is wrong there"));
+  }
+}
+
+void lack_memory() { throw std::bad_alloc(); }
+
 TEST_F(Rehearsing, TellsWantOfMemory) {
   EXPECT_THROW(with([](std::string_view) { throw std::bad_alloc(); }), std::bad_alloc);
   EXPECT_THROW(with([](std::string_view) { std::raise(SIGKILL); }), std::bad_alloc);
+  EXPECT_THROW(with([](std::string_view) noexcept { lack_memory(); }), std::bad_alloc);
 }
 
 /// As one does that waits for a lock whose owner is a thread of the program.
