@@ -4,7 +4,10 @@
 #include <chrono>
 #include <functional>
 #include <set>
+#include <string>
 #include <utility>
+
+#include <TopExp_Explorer.hxx>
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
@@ -12,6 +15,12 @@
 
 namespace blossom::python {
 namespace {
+
+[[noreturn]] void refuse_without_faces(const std::string& name, const TopoDS_Shape& shape) {
+  const bool has_edges = !shape.IsNull() && TopExp_Explorer(shape, TopAbs_EDGE).More();
+  throw occt::BadModel(name + ": there is no face in it" +
+                       (has_edges ? "; solid() and distance() take edges and wires" : ""));
+}
 
 constexpr std::chrono::milliseconds kPause{20};  // between questions whether to wait any longer
 
@@ -80,11 +89,11 @@ LoadedModel::Turn LoadedModel::turn(const Watch& watch) const {
 const std::vector<TopoDS_Face>& LoadedModel::faces(const Watch& watch, reports::LooseFaces loose) {
   if (model_ || loose == reports::LooseFaces::Sewn) {
     const reports::Input& input = repaired_input(watch, loose);
-    if (input.faces.empty()) throw occt::BadModel(name_ + ": there is no face in it");
+    if (input.faces.empty()) refuse_without_faces(name_, input.shape);
     return input.faces;
   }
   if (faces_.empty()) faces_ = occt::faces_of(given_);
-  if (faces_.empty()) throw occt::BadModel(name_ + ": there is no face in it");
+  if (faces_.empty()) refuse_without_faces(name_, given_);
   return faces_;
 }
 

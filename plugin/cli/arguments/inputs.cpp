@@ -70,7 +70,8 @@ std::shared_ptr<occt::Model> model_of(const std::filesystem::path& file) {
   return model;
 }
 
-constexpr const char* kTakesEdges = "; 'blossom trim --solid' takes edges and wires";
+constexpr const char* kTakesEdges =
+    "; 'blossom trim --solid' and 'blossom query distance' take edges and wires";
 
 // Each once, in increasing order.
 std::vector<int> chosen_numbers(const InputName& name, const TopoDS_Shape& all, int count,

@@ -103,7 +103,8 @@ TEST_F(TrimSolidsCommand, IsNamedWhereFacesAreWantedAndThereAreEdgesAlone) {
   for (const std::string& edges : {std::string(folder / "line.brep"), box + "#edge:1"}) {
     const Finished run = blossom({"intersect", edges, box});
     EXPECT_EQ(run.code, 2);
-    EXPECT_NE(run.err.find("'blossom trim --solid' takes edges and wires"), std::string::npos)
+    EXPECT_NE(run.err.find("'blossom trim --solid' and 'blossom query distance' take edges"),
+              std::string::npos)
         << run.err;
   }
 }
