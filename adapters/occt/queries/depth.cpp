@@ -25,6 +25,7 @@ namespace {
 
 constexpr double kNotKnown = std::numeric_limits<double>::infinity();
 constexpr double kAddedPart = 0.1;
+constexpr int kWireHalvings = 20;   // as deep as cells of a patch go within kDepthCells
 constexpr long kProofPairs = 1000;  // of cells; halving the cell is cheaper than more of them
 
 struct DepthPiece {
@@ -137,8 +138,21 @@ class DepthSearch {
 
   PartSide side(const DepthCell& cell, const Interval& u, const Interval& v) const {
     const BezierSurface& surface = cell.piece->surface;
-    return part_side(cell.piece->trims, own_range(surface.u_law, surface.u_knots, cell.i, u),
-                     own_range(surface.v_law, surface.v_knots, cell.j, v));
+    const FaceTrims& trims = cell.piece->trims;
+    const Interval on_u = own_range(surface.u_law, surface.u_knots, cell.i, u),
+                   on_v = own_range(surface.v_law, surface.v_knots, cell.j, v);
+    const PartSide place = part_side(trims, on_u, on_v);
+    if (place != PartSide::Mixed || trims.period[0] > 0 || trims.period[1] > 0) return place;
+    return fine_side(trims, {{on_u.from * trims.scale[0], on_v.from * trims.scale[1]},
+                             {on_u.to * trims.scale[0], on_v.to * trims.scale[1]}});
+  }
+
+  // `part_side` halves wires as often for small cells as for large ones: these would stay as they
+  // are, however small, in the boxes of pieces that run aslant.
+  static PartSide fine_side(const FaceTrims& trims, const PlanarBox& box) {
+    if (coedge_near(trims, box, kOnWire + trims.largest_gap, kWireHalvings) != nullptr)
+      return PartSide::Mixed;
+    return is_inside(trims, 0.5 * (box.low + box.high)) ? PartSide::Inside : PartSide::Outside;
   }
 
   // Takes a cell among those that may hold the deepest point, unless it does not.

@@ -257,6 +257,17 @@ TEST_F(ClashCommand, ListsWhatIsDeepInsideOfAPartWhateverTheClearance) {
 }
 
 // As most parts of an assembly beside its next edition are.
+TEST_F(ClashCommand, BoundsTheDepthOfAShaftThatEndsFlushWithItsBearing) {
+  const TopoDS_Shape bearing = BRepAlgoAPI_Cut(rod(0, 0, 0, 20, 10), rod(0, 0, 0, 10, 10)).Shape();
+  const std::string file =
+      file_of({{"Bearing", bearing}, {"Shaft", rod(0, 0, 0, 10.05, 10)}}, "flush.step");
+  const json report = report_of({"clash", file});
+  ASSERT_EQ(report["pairs"].size(), 1u);
+  const json& depth = report["pairs"][0]["common"]["depth"];
+  EXPECT_NEAR(depth[0], 0.05, 1e-6);
+  EXPECT_LE(depth[1], 0.051);
+}
+
 TEST_F(ClashCommand, EqualPartsReachIntoEachOtherByNoMoreThanTheTolerance) {
   const std::string a =
       file_of({{"rod", rod(0, 0, 0, 3, 9)}, {"box", box(9, 0, 0, 5, 4, 3)}}, "old.step");
