@@ -188,8 +188,8 @@ double gap_at(const BodyEdges& body, int edge, double parameter) {
 
 // With x along the edge and y across it, the faces at its end turn against each other by a x, so
 // that offsets of theirs are a x y apart, to within e: the tolerance, or what the faces are apart
-// there. Where that is 0 may be sqrt(2 e / a) beside the vertex; there the faces turn by
-// sqrt(2 e a).
+// there. Where that is 0 may be sqrt(2 e / a) beside the vertex, and at most at the middle of the
+// edge: beyond it is its other end. At a distance d the faces turn by a d.
 std::optional<NarrowEnd> narrow_end(const BodyEdges& body, const RolledStrip& strip,
                                     const DirectedEdge& half, double tolerance) {
   double first = 0, last = 0;
@@ -209,12 +209,14 @@ std::optional<NarrowEnd> narrow_end(const BodyEdges& body, const RolledStrip& st
   const double apart = std::max(tolerance, gap_at(body, half.edge, end));
   NarrowEnd found;
   found.t = nearest_on(strip.contacts[0].curve, strip.range, place);
-  found.room = std::max(BRep_Tool::Tolerance(vertex), std::sqrt(2 * apart / rate));
+  const double half_way = 0.5 * edge_length(body.edge(half.edge));
+  found.room = std::max(BRep_Tool::Tolerance(vertex),
+                        std::min(half_way, std::sqrt(2 * kSamePlace * apart / rate)));
   const auto contact = [&](std::size_t side) {
     return vec(strip.contacts[side].curve->Value(found.t));
   };
   found.off = std::max(distance(contact(0), place), distance(contact(1), place));
-  const double most = kSamePlace * apart + strip.radius * std::sqrt(2 * apart * rate);
+  const double most = kSamePlace * apart + strip.radius * rate * found.off;
   if (!(found.off <= found.room) || distance(contact(0), contact(1)) > most) return std::nullopt;
   return found;
 }
