@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <numbers>
+
 namespace blossom::occt {
 
 /// Tolerances: what meets at one place may be so far apart. A choice: each of some three curves
@@ -13,6 +15,11 @@ inline constexpr double kSamePlace = 10;
 /// Faces that a contact, the border of a strip or the end of one may go over one after the other. A
 /// choice: each of them is searched anew, and what has not arrived after so many goes round.
 inline constexpr int kMaxFacesInARow = 16;
+
+/// Radians: an edge at which faces turn by less is a bend of what a ball rolls on, and the ball
+/// goes along an edge that makes a smaller angle with its way. A choice, half way between going on
+/// and ending. Over others contacts roll as over notches, or come to an end.
+inline constexpr double kMaxBend = 0.25 * std::numbers::pi;
 
 /// Radii past the place where one contact leaves its face, so far the other one is followed to
 /// where it leaves its own. Contacts are at most two radii apart; a border across both that makes

@@ -179,7 +179,7 @@ class Chamfers(unittest.TestCase):
         refused = BLOCK.chamfer("all", distance=100, partial=True).refused
 
         self.assertEqual(refused[0]["fault"], "leaves face")
-        self.assertIn("the chamfer's border is beyond face", refused[0]["cause"])
+        self.assertIn("the chamfer's border is nowhere in face", refused[0]["cause"])
         for each in refused:
             self.assertNotRegex(each["cause"], "ball|radius|fillet")
 

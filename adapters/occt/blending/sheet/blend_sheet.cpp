@@ -137,10 +137,11 @@ const EdgeUseInFace& BlendSheet::arriving(const Ring& ring, std::size_t sector) 
 }
 
 void BlendSheet::build() {
-  for (const Joint& each : joints_) join(each);
   for (const DirectedEdge& half : open_)
     if (std::find(done_.begin(), done_.end(), half) == done_.end()) end_at(half);
-  for (PlacedStrip& of : strips_) finish(of);
+  for (const Joint& each : joints_) join(each);
+  for (PlacedStrip& of : strips_)
+    if (!of.left_out) finish(of);
 }
 
 // Another way to end strips where the first one cannot be gone.

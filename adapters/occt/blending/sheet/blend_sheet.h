@@ -59,6 +59,7 @@ struct PlacedStrip {
   std::array<StripEnd, 2> ends;  ///< at the least and the largest t
   /// Seams and notches that contacts go over between the ends, by t.
   std::array<std::vector<ContactCut>, 2> seams;
+  bool left_out = false;  ///< the strip before it ends the walk
 };
 
 /// A new face, or what a face of the body gets: edges as the outward face uses them.
@@ -130,10 +131,13 @@ class BlendSheet {
   void end_in_point(const DirectedEdge& half, const NarrowEnd& point);
   void cap(const Ring& ring);
   bool blunt(const Ring& ring, const std::string& why);
+  bool is_walled(const Ring& ring, const std::string& why);
+  bool leave_out_last(const DirectedEdge& half);
   double wall_t(const Ring& ring);
   TopoDS_Edge wall_border(const EndCurve& down, const TopoDS_Vertex& contact,
                           const TopoDS_Vertex& corner, bool on_left, int face);
   std::optional<TopoDS_Vertex> wall_foot(const DirectedEdge& half, double t);
+  std::optional<ContactCrossing> way_out(const DirectedEdge& half, std::size_t side);
   Cut end_cut(const DirectedEdge& half, std::size_t side, int& beyond, int& edge);
   bool turns_back(const Ring& ring, bool on_left);
   Cut grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge);

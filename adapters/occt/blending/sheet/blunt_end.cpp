@@ -45,6 +45,13 @@ double rolling_speed(const RolledStrip& strip, double t) {
   return std::sqrt(0.5 * sum);
 }
 
+// Whether a ball might roll on over an edge.
+bool is_bend(const BodyEdges& body, const ContactCrossing& over) {
+  const Vec3 here = body.corner(*over.use, over.edge_parameter).normal;
+  const Vec3 behind = body.corner(body.behind(*over.use), over.edge_parameter).normal;
+  return dot(here, behind) > std::cos(kMaxBend);
+}
+
 // Along an edge from a point of it to its end, model units.
 double length_left(const BodyEdges& body, const DirectedEdge& half, const Vec3& from) {
   const BRepAdaptor_Curve curve(body.edge(half.edge));
@@ -58,8 +65,9 @@ double length_left(const BodyEdges& body, const DirectedEdge& half, const Vec3& 
 
 }  // namespace
 
-// Where a strip ends in a wall: at the vertex, or before a contact leaves its face beside it, or
-// comes to that of another strip, or the ball has to turn round.
+// Where a strip ends in a wall: at the vertex, or before a contact leaves its face beside it or
+// over a bend elsewhere, or comes to that of another strip, or the ball has to turn round. Over a
+// sharp border elsewhere the ball is too large for the face.
 double BlendSheet::wall_t(const Ring& ring) {
   const DirectedEdge half = ring.front().half;
   const PlacedStrip& placed = strip_of(half);
@@ -71,6 +79,10 @@ double BlendSheet::wall_t(const Ring& ring) {
   double t = end_t(half);
   const auto before = [&](double end) {
     return end + inwards * kClearance * strip.radius / rolling_speed(strip, end);
+  };
+  const auto stop_before = [&](double end) {
+    const double stop = before(end);
+    if (inwards * (stop - t) > 0) t = stop;
   };
   if (strip.over && t == (is_low_end(half) ? strip.most.from : strip.most.to)) t = before(t);
   for (const std::size_t side : {left_side(half), right_side(half)}) {
@@ -88,9 +100,8 @@ double BlendSheet::wall_t(const Ring& ring) {
       end = meeting->t;
     }
     // What is met beyond the strip's middle belongs to its other end.
-    if (!end || inwards * (placed.inside - *end) <= 0) continue;
-    const double stop = before(*end);
-    if (inwards * (stop - t) > 0) t = stop;
+    if (end && inwards * (placed.inside - *end) > 0) stop_before(*end);
+    if (const auto over = way_out(half, side); over && is_bend(body_, *over)) stop_before(over->t);
   }
   return t;
 }
@@ -142,9 +153,9 @@ TopoDS_Edge BlendSheet::wall_border(const EndCurve& down, const TopoDS_Vertex& c
 }
 
 // The wall across the strip at the vertex: between the arc of the ball and both faces; `why` there
-// has to be one is told. False, and nothing is done, if the contacts have left their faces there,
-// or the plane misses the faces.
-bool BlendSheet::blunt(const Ring& ring, const std::string& why) {
+// has to be one is told. False if the contacts have left their faces there, or the plane misses the
+// faces.
+bool BlendSheet::is_walled(const Ring& ring, const std::string& why) {
   const DirectedEdge half = ring.front().half;
   PlacedStrip& of = strip_of(half);
   const RolledStrip& strip = of.strip;
@@ -204,6 +215,34 @@ bool BlendSheet::blunt(const Ring& ring, const std::string& why) {
   if (rest > tolerance_) note << "; the last " << rest << " mm of the edge stay as they were";
   notes_.push_back(note.str());
   return true;
+}
+
+// The last strip of a walk, where another one goes on in it: that one ends the walk then. False,
+// and nothing is done, if there is none.
+bool BlendSheet::leave_out_last(const DirectedEdge& half) {
+  EndPlace& end = ends_at_.at({half.edge, half.at_start});
+  const auto is_of = [&](const EndPlace& place) { return place.strip == end.strip; };
+  const auto joint = std::ranges::find_if(
+      joints_, [&](const Joint& each) { return is_of(each.before) || is_of(each.after); });
+  PlacedStrip& last = strips_[end.strip];
+  if (joint == joints_.end() || last.strip.bend != std::array<int, 2>{}) return false;
+  last.left_out = true;
+  end = is_of(joint->before) ? joint->after : joint->before;
+  joints_.erase(joint);
+  return true;
+}
+
+// A wall across the last strip on which there can be one. A ball that has rolled on past the vertex
+// may have left the edge's faces before.
+bool BlendSheet::blunt(const Ring& ring, const std::string& why) {
+  do {
+    const SheetBorder border = border_;
+    const EdgeSplits splits = splits_;
+    if (is_walled(ring, why)) return true;
+    border_ = border;  // where it was begun
+    splits_ = splits;
+  } while (leave_out_last(ring.front().half));
+  return false;
 }
 
 }  // namespace blossom::occt

@@ -42,9 +42,8 @@ bool has_pole_at(const BodyEdges& body, int face, const TopoDS_Vertex& vertex) {
 
 }  // namespace
 
-// Where a contact leaves its face at an end of its strip, and the face behind.
-BlendSheet::Cut BlendSheet::end_cut(const DirectedEdge& half, std::size_t side, int& beyond,
-                                    int& edge) {
+// Where a contact goes over the border of its face first, from the middle of its strip to an end.
+std::optional<ContactCrossing> BlendSheet::way_out(const DirectedEdge& half, std::size_t side) {
   const PlacedStrip& of = strip_of(half);
   const RolledContact& contact = of.strip.contacts[side];
   const double outwards = is_low_end(half) ? -1 : 1;
@@ -72,10 +71,19 @@ BlendSheet::Cut BlendSheet::end_cut(const DirectedEdge& half, std::size_t side, 
     const bool by_end = best && std::abs(nearer) <= room && is_at_end(each) != is_at_end(*best);
     if (!best || (by_end ? is_at_end(each) : nearer > 0)) best = each;
   }
+  return best;
+}
+
+// Where a contact leaves its face at an end of its strip, and the face behind.
+BlendSheet::Cut BlendSheet::end_cut(const DirectedEdge& half, std::size_t side, int& beyond,
+                                    int& edge) {
+  const PlacedStrip& of = strip_of(half);
+  const RolledContact& contact = of.strip.contacts[side];
+  const std::optional<ContactCrossing> best = way_out(half, side);
   if (!best && !lies_inside(body_, contact, of.inside))
-    refuse(
-        half, FilletFault::LeavesFace,
-        contact_words() + " is beyond face " + std::to_string(contact.face) + ": " + too_large());
+    refuse(half, FilletFault::LeavesFace,
+           contact_words() + " is nowhere in face " + std::to_string(contact.face) +
+               " at this end, but beyond its border");
   if (!best)
     refuse(half, FilletFault::End,
            contact_words() + " on face " + std::to_string(contact.face) +

@@ -22,10 +22,6 @@
 namespace blossom::occt {
 namespace {
 
-// Radians: an edge at which faces turn by less is a bend of what a ball rolls on, and the ball goes
-// along an edge that makes a smaller angle with its way. A choice, half way between going on and
-// ending. Over others contacts roll as over notches, or come to an end.
-constexpr double kMaxBend = 0.25 * std::numbers::pi;
 constexpr int kLeaningSteps = 64;  // along a strip, between which the ball leans or does not
 constexpr double kLeftAt = 1e-12;  // of a strip's range: where the ball leaves the edge
 
