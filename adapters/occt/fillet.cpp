@@ -197,14 +197,17 @@ void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
     const auto found = largest_fillet(work, asked, changed->size, why);
     work.set_own(own);
     if (!found && why.fault != FilletFault::Edge)
-      why.tried = std::string("; of the smaller ") + (options.chamfer ? "distances" : "radii") +
-                  " tried none works either, larger ones were not tried";
+      why.tried = std::string("; of the smaller and larger ") +
+                  (options.chamfer ? "distances" : "radii") + " tried none works either";
     if (!found) return;
     why.largest = found->radius;
     why.of_chamfer = options.chamfer.has_value();
     if (!found->stopped.empty())
       why.tried = std::string("; larger ") + (options.chamfer ? "distances" : "balls") +
                   " are stopped by " + found->stopped;
+    if (found->radius > changed->size)
+      why.tried = std::string("; no smaller ") + (options.chamfer ? "distance" : "radius") +
+                  " that was tried works, but larger ones do";
     if (changed->edge > 0 && changed->edge != why.edge)
       why.tried += "; smaller radii of edge " + std::to_string(changed->edge) +
                    " were tried, while others kept theirs";

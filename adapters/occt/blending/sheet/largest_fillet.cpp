@@ -20,6 +20,7 @@ constexpr int kMaxLimits = 4;             // edges whose limits are followed, on
 constexpr int kMaxMeetings = 4;           // steps to where blends meet in an edge
 constexpr double kFall = 2;               // from radius to radius until one works
 constexpr double kMinRadiusShare = 1e-3;  // of the radius asked for: a smaller one is no help
+constexpr int kMaxRises = 4;              // times kFall: larger ones that do not work either
 // Ratios of the bracket's ends: as many digits as are told, or near enough where trials take long.
 constexpr double kTold = 1 + 1e-6;
 constexpr double kBracketed = 1.01;
@@ -33,7 +34,7 @@ class RadiusTrials {
  public:
   RadiusTrials(Filleting& work, const std::vector<FilletEdges>& chains, double radius,
                const FilletRefusal& why)
-      : work_(work), chains_(chains), asked_(radius), high_(radius), why_(why) {
+      : work_(work), chains_(chains), asked_(radius), why_asked_(why), high_(radius), why_(why) {
     for (const FilletEdges& chain : chains) edges_ += chain.size();
   }
 
@@ -51,6 +52,8 @@ class RadiusTrials {
   bool follow_limits();
   bool follow_meetings();
   bool fall();
+  bool rise();
+  void start_anew();
   void close_rolling();
   void close_bracket();
 
@@ -58,8 +61,9 @@ class RadiusTrials {
   const std::vector<FilletEdges>& chains_;
   std::size_t edges_ = 0, tried_ = 0, rolled_ = 0;
   double asked_;
-  double low_ = 0, high_;  // works, does not
-  FilletRefusal why_;      // at the least radius that did not
+  FilletRefusal why_asked_;  // that one does not work
+  double low_ = 0, high_;    // works, does not
+  FilletRefusal why_;        // at the last radius that did not
   std::string stopped_;
 };
 
@@ -138,6 +142,25 @@ bool RadiusTrials::fall() {
   return false;
 }
 
+// Where faces turn over at an end of the edge the contact of a small ball is lost in them, and that
+// of a larger one passes.
+bool RadiusTrials::rise() {
+  start_anew();
+  for (int failed = 0; failed < kMaxRises && may_go_on();) {
+    const double radius = kFall * std::max(low_, high_);
+    if (rolls(radius) && works(radius)) continue;
+    if (low_ > 0 || is_own_fault(why_.fault)) break;
+    ++failed;
+  }
+  return low_ > 0;
+}
+
+// As if none had been tried: those that do not work tell nothing of larger ones that may.
+void RadiusTrials::start_anew() {
+  high_ = asked_;
+  why_ = why_asked_;
+}
+
 // The largest ball that rolls where larger ones do not; then all else has to work with it.
 void RadiusTrials::close_rolling() {
   if (!is_own_fault(why_.fault)) return;
@@ -161,8 +184,9 @@ std::optional<LargestFillet> RadiusTrials::found() {
     const double above = low_ * (1 + kJustAbove);
     if (above >= high_ || !rolls(above) || !works(above)) return LargestFillet{low_, stopped_};
     stopped_.clear();
-  } else if (!fall()) {
-    return std::nullopt;
+  } else {
+    start_anew();
+    if (!fall() && !rise()) return std::nullopt;
   }
   close_rolling();
   close_bracket();
