@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -19,8 +20,11 @@
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_Surface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -31,6 +35,7 @@
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pnt.hxx>
+#include <gp_Vec.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
@@ -112,6 +117,43 @@ TEST(FilletOfFacesThatMeetSmoothlyInAVertex, NarrowsToAPointThere) {
     EXPECT_LT(made.solids.front().volume, made.volume_before);
     for (TopExp_Explorer it(solid, TopAbs_VERTEX); it.More(); it.Next())
       EXPECT_LT(BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())), 1e-4) << radius;
+  }
+}
+
+// The lens with one of its side faces moved along x, across itself in all vertices. Edges and
+// vertices have tolerances for that.
+TopoDS_Shape lens_apart(double by) {
+  const TopoDS_Shape shape = BRepBuilderAPI_Copy(lens_over_circle()).Shape();
+  const BRep_Builder builder;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Face face = TopoDS::Face(it.Current());
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);  // its own, as it is a copy
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+    surface->Bounds(u0, u1, v0, v1);
+    if (surface->IsKind(STANDARD_TYPE(Geom_Plane)) || surface->Value((u0 + u1) / 2, v0).Y() < 1)
+      continue;
+    surface->Translate(gp_Vec(by, 0, 0));
+    for (TopExp_Explorer of(face, TopAbs_EDGE); of.More(); of.Next())
+      builder.UpdateEdge(TopoDS::Edge(of.Current()), 2 * std::abs(by));
+    for (TopExp_Explorer of(face, TopAbs_VERTEX); of.More(); of.Next())
+      builder.UpdateVertex(TopoDS::Vertex(of.Current()), 2 * std::abs(by));
+  }
+  return shape;
+}
+
+// Faces 5e-6 apart turn against each other with the way along the edge: strips come to a point
+// beside the vertex, on the edge, of which the smooth rest stays.
+TEST(FilletOfFacesThatMeetSmoothlyInAVertex, NarrowsToAPointAsFarAsTheyAreApart) {
+  for (const double by : {5e-6, -5e-6}) {
+    const TopoDS_Shape shape = lens_apart(by);
+    ASSERT_TRUE(BRepCheck_Analyzer(shape).IsValid());
+    for (const int side : edges_at_height(shape, 5)) {
+      const FilletResult made = fillet(shape, {side}, {.radius = 1, .largest = false});
+      ASSERT_EQ(made.solids.size(), 1U) << told(made);
+      EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
+      EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+      EXPECT_EQ(made.solids.front().faces.size(), 5U);
+    }
   }
 }
 
@@ -206,6 +248,34 @@ TEST(FilletOfRealFaces, EndsAtVerticesThatCoverTheMissesOfTolerantEdges) {
     expect_sound(fillet(model.shape(), {64}, {.radius = radius}));
 }
 
+// At one end of these edges the narrower face turns over. Balls of some radii leave it before the
+// end, others roll on past it to a third face: their strips end in planes before that.
+TEST(FilletOfRealFaces, EndsInAPlaneBeforeItsNarrowFaceTurnsOver) {
+  if (!std::filesystem::exists(propeller())) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
+  const Model model = testing::repaired_model(propeller());
+  for (const double radius : {0.02, 0.043113, 0.055, 0.2, 1.29339}) {
+    const FilletResult made = fillet(model.shape(), {36}, {.radius = radius, .largest = false});
+    expect_sound(made);
+    ASSERT_EQ(made.notes.size(), 1U) << radius;
+    EXPECT_NE(made.notes.front().find("ends in a plane"), std::string::npos) << radius;
+  }
+}
+
+// Of a smaller ball the contact is nowhere in the narrow face: it is no radius that is too large.
+TEST(FilletOfRealFaces, IsToldALargerRadiusWhereNoSmallerOneWorks) {
+  if (!std::filesystem::exists(propeller())) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
+  const Model model = testing::repaired_model(propeller());
+  const FilletResult made = fillet(model.shape(), {36}, {.radius = 0.003});
+  ASSERT_EQ(made.refused.size(), 1U);
+  const FilletRefusal& why = made.refused.front();
+  ASSERT_TRUE(why.largest) << told(made);
+  EXPECT_GT(*why.largest, 2);
+  EXPECT_NE(told(made).find("no smaller radius that was tried works, but larger ones do"),
+            std::string::npos)
+      << told(made);
+  expect_sound(fillet(model.shape(), {36}, {.radius = *why.told_largest(), .largest = false}));
+}
+
 // The narrow face beside the rim is consumed, and the contact on the other one goes over bolt
 // holes: through their middles, and, of the larger ball, through their far halves alone.
 TEST(FilletOfRealFaces, GoesOverBoltHolesBehindANarrowFace) {
@@ -214,6 +284,20 @@ TEST(FilletOfRealFaces, GoesOverBoltHolesBehindANarrowFace) {
   const Model model = testing::repaired_model(part);
   for (const double radius : {16.9736, 20.7395})
     expect_sound(fillet(model.shape(), {1222}, {.radius = radius, .largest = false}));
+}
+
+// The wall at its end stands on the edge 0.002 before the vertex, which has a tolerance of 0.0027:
+// of a piece between them nothing would be left.
+TEST(FilletOfRealFaces, EndsInAPlaneThatLeavesNoPieceOfItsEdgeWithinAVertex) {
+  const std::filesystem::path arm = given_model("crankarm.brep");
+  if (!std::filesystem::exists(arm)) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
+  const Model model = testing::repaired_model(arm);
+  for (const int edge : {84, 97}) {
+    const FilletResult made = fillet(model.shape(), {edge}, {.radius = 0.006, .largest = false});
+    ASSERT_EQ(made.solids.size(), 2U) << told(made);
+    for (const FilletedSolid& each : made.solids)
+      EXPECT_TRUE(BRepCheck_Analyzer(each.solid).IsValid()) << "edge " << edge;
+  }
 }
 
 // Its face goes on in the cone at its end with a gap below the edge's tolerance: the curve in which
