@@ -157,6 +157,48 @@ TEST(FilletOfFacesThatMeetSmoothlyInAVertex, NarrowsToAPointAsFarAsTheyAreApart)
   }
 }
 
+// A square below, a circle above: upright edges are sharp below and smooth above.
+TopoDS_Shape circle_over_square() {
+  BRepOffsetAPI_ThruSections maker(true, false);
+  maker.AddWire(BRepBuilderAPI_MakePolygon(gp_Pnt(-20, -20, 0), gp_Pnt(20, -20, 0),
+                                           gp_Pnt(20, 20, 0), gp_Pnt(-20, 20, 0), true)
+                    .Wire());
+  maker.AddWire(BRepBuilderAPI_MakeWire(
+      BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(0, 0, 40), gp_Dir(0, 0, 1)), 12))));
+  maker.Build();
+  return maker.Shape();
+}
+
+// Where the faces turn by less than the angle the other border is nowhere.
+TEST(ChamferOfFacesThatMeetSmoothlyInAVertex, IsRefusedByAnAngleThatTheyDoNotTurnBy) {
+  const TopoDS_Shape shape = circle_over_square();
+  const std::vector<int> upright = edges_at_height(shape, 20);
+  ASSERT_GE(upright.size(), 4U);
+  for (const double size : {2.0, 25.0}) {
+    FilletOptions options;
+    options.chamfer = ChamferSize{size, {}, std::numbers::pi / 6};
+    const FilletResult made = fillet(shape, upright, options);
+    EXPECT_TRUE(made.solids.empty());
+    EXPECT_NE(told(made).find("at that angle does not meet the other face"), std::string::npos)
+        << told(made);
+  }
+}
+
+// Steps of some of these distances came to places past an end of the edge, but to none on it, and
+// what was to be fitted between had no ends: once the program crashed then.
+TEST(ChamferBesideAFreeFormFace, OfFarTooLargeADistanceIsRefused) {
+  const TopoDS_Shape shape = circle_over_square();
+  for (const int edge : edges_at_height(shape, 0))
+    for (const double size : {40.0, 80.0, 150.0, 400.0}) {
+      FilletOptions options;
+      options.chamfer = ChamferSize{size, {}, std::numbers::pi / 6};
+      options.largest = false;
+      const FilletResult made = fillet(shape, {edge}, options);
+      EXPECT_TRUE(made.solids.empty());
+      EXPECT_EQ(made.refused.size(), 1U) << size;
+    }
+}
+
 TopoDS_Wire wedge(double length, double twist, double z) {
   const double half = length * std::tan(0.5 * 20 * std::numbers::pi / 180);
   return BRepBuilderAPI_MakePolygon(gp_Pnt(length, twist, z), gp_Pnt(0, half, z),
