@@ -120,15 +120,18 @@ bool RadiusTrials::follow_limits() {
   return false;
 }
 
-// Whether blends that take too much of an edge together can be made where they just meet: what they
-// take grows with the radius, in planes just so.
+// Whether blends that take too much of an edge together can be made where they just meet, or just
+// below that: what they take grows with the radius, in planes just so.
 bool RadiusTrials::follow_meetings() {
   for (int i = 0; i < kMaxMeetings && why_.fits < 1 && may_go_on(); ++i) {
     const double meeting = why_.fits * high_;
     const int edge = why_.edge;
-    if (works(meeting)) {
-      stopped_ = "another blend, which they meet in edge " + std::to_string(edge);
-      return true;
+    for (const double below : kJustBelow) {
+      if (works((1 - below) * meeting)) {
+        stopped_ = "another blend, which they meet in edge " + std::to_string(edge);
+        return true;
+      }
+      if (why_.fits < 1) break;  // what meets there is looked at next
     }
   }
   return false;

@@ -130,6 +130,21 @@ TopoDS_Shape ell(double first, double second) {
   return BRepAlgoAPI_Fuse(a, BRepPrimAPI_MakeBox(second, 30, 6).Shape()).Shape();
 }
 
+// At half the thickness what is left of the narrow faces has no width: a little less leaves a sound
+// solid, and a little more none.
+TEST(LargestFillet, OfAllEdgesOfAnAngleIsJustBelowHalfItsThickness) {
+  const TopoDS_Shape arm = BRepPrimAPI_MakeBox(80, 50, 8).Shape();
+  BRepAlgoAPI_Fuse fused(arm, BRepPrimAPI_MakeBox(8, 50, 60).Shape());
+  fused.SimplifyResult();
+  const TopoDS_Shape shape = fused.Shape();
+  const std::vector<int> edges = edges_that_have(shape, EdgeKind::Convex);
+  expect_told(shape, edges, 20, 4, 1e-5);
+  const FilletResult made = fillet(shape, edges, {.radius = 20});
+  ASSERT_EQ(made.refused.size(), 1U);
+  EXPECT_NE(made.refused.front().text().find("stopped by another blend"), std::string::npos)
+      << made.refused.front().text();
+}
+
 // Whichever of two edges far from each other is refused, both are rounded with the radius told.
 TEST(LargestFillet, OfEdgesFarFromEachOtherIsThatOfTheTighterOne) {
   for (const bool turned : {false, true}) {
