@@ -131,7 +131,9 @@ struct FilletedSolid {
 };
 
 struct FilletResult {
-  Status status = Status::Complete;  ///< Stopped when the time limit or the caller ended the work
+  /// Tolerance if a blend ends before its edge does, which notes say; Stopped when the time limit
+  /// or the caller ended the work.
+  Status status = Status::Complete;
   /// All solids of the shape, those without fillets as they were; none if anything is refused that
   /// could be rounded, and not `partial`, or nothing could be made.
   std::vector<FilletedSolid> solids;

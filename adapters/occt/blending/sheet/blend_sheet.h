@@ -90,6 +90,8 @@ class BlendSheet {
   const SheetBorder& border() const { return border_; }
   /// What a user may want to know of how strips end.
   const std::vector<std::string>& notes() const { return notes_; }
+  /// Whether a strip ends before its edge does.
+  bool ends_short() const { return ends_short_; }
   bool is_filleted(int edge) const { return filleted_.count(edge) > 0; }
   EdgeSplits& splits() { return splits_; }
 
@@ -283,6 +285,7 @@ class BlendSheet {
   std::vector<DirectedEdge> done_;
   std::vector<TopoDS_Vertex> made_;  // inside of faces
   std::vector<std::string> notes_;
+  bool ends_short_ = false;
 };
 
 }  // namespace blossom::occt

@@ -232,7 +232,8 @@ int run(FilletCommand command) {
   print_summary(summary(command, part, timed, !others.empty()) + (write ? others : ""),
                 outputs.json);
   if (!any) return exit_code_unwritten(exit_code(timed.made.status));
-  return stated_exit_code(timed.made.refused.empty() ? kExitComplete : kExitTolerance);
+  return stated_exit_code(timed.made.refused.empty() ? exit_code(timed.made.status)
+                                                     : kExitTolerance);
 }
 
 // Writes "Face3" as the number that it means.
