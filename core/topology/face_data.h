@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/bounds/box_tree.h"
+#include "core/curves/swept_profile.h"
 #include "core/forms/elementary.h"
 #include "core/forms/surface.h"
 #include "core/results/options.h"
@@ -18,6 +19,7 @@ struct FaceData {
   FaceTrims trims;
   Box box;                                 ///< of the surface, its error and the tolerance included
   std::optional<Elementary> elementary{};  ///< what the surface is part of, if it is that
+  std::optional<SweptProfile> swept{};     ///< likewise; elementary ones are none
 };
 
 /// Holds all of a surface; `margin` wider on every side.

@@ -20,6 +20,7 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/elementary_faces.h"
+#include "adapters/occt/faces/swept_faces.h"
 
 namespace blossom::occt {
 namespace {
@@ -65,10 +66,9 @@ ParameterBox box_of(const TopoDS_Face& face, const FaceTrims& trims) {
 
 // Trims that are no rectangle touch their box, and what runs along them would touch the border of
 // the surface. So it goes on beyond it, as may those that are one; then they have to be clipped.
-BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double tolerance, ArcCuts cuts,
-                         FaceTrims& trims) {
+BezierSurface surface_of(const TopoDS_Face& face, ParameterBox box, Extent extent, double tolerance,
+                         ArcCuts cuts, FaceTrims& trims) {
   const Handle(Geom_Surface) surface = basis_of(BRep_Tool::Surface(face));
-  ParameterBox box = box_of(face, trims);
   if ((!trims.natural || extent == Extent::Extended) && goes_on(GeomAdaptor_Surface(surface))) {
     const ParameterBox own = box;
     Interval u, v;
@@ -99,10 +99,13 @@ Handle(Geom_Curve) space_curve(const IntersectionCurve& curve) {
 FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent, ArcCuts cuts) {
   FaceData data;
   data.trims = face_trims(face);
-  data.surface = surface_of(face, extent, tolerance, cuts, data.trims);
+  const ParameterBox used = box_of(face, data.trims);
+  data.surface = surface_of(face, used, extent, tolerance, cuts, data.trims);
   data.box = box_of(data.surface, data.surface.error + tolerance);
   data.elementary = elementary_of(BRep_Tool::Surface(face));
   if (!data.elementary) data.elementary = flat_spline(BRep_Tool::Surface(face));
+  if (!data.elementary)
+    data.swept = swept_of(BRep_Tool::Surface(face), used, kApproximated * tolerance);
   return data;
 }
 

@@ -130,7 +130,7 @@ void PairIntersector::search(FaceIntersection& result) const {
   if (is_settled_by_neighbours(a, b, edges, result)) return;
   std::vector<Touch> touches;
   std::vector<SharedEdge> touching;
-  if (const auto gap = gap_of_one_surface(a, b); gap && *gap <= options_.tolerances.point) {
+  if (const auto gap = gap_of_one_surface(i, j); gap && *gap <= options_.tolerances.point) {
     result.found = on_surface_of_both({result.face_a, result.face_b}, edges, *gap, within);
   } else {
     if (edges.empty()) touching = touched_.of(result.face_a, result.face_b, kSmoothAngle);
@@ -195,11 +195,14 @@ bool PairIntersector::is_settled_by_neighbours(const FaceData& a, const FaceData
 }
 
 // A bound on the distance of two surfaces of one kind where the faces may meet.
-std::optional<double> PairIntersector::gap_of_one_surface(const FaceData& a, const FaceData& b) {
-  if (&a == &b || !a.elementary || !b.elementary) return {};
+std::optional<double> PairIntersector::gap_of_one_surface(std::size_t i, std::size_t j) const {
+  const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
+  if (&a == &b) return {};
   const Box common = common_box(a, b);
-  return distance_bound(*a.elementary, *b.elementary,
-                        {0.5 * (common.low + common.high), 0.5 * diagonal(common)});
+  const Ball ball{0.5 * (common.low + common.high), 0.5 * diagonal(common)};
+  if (a.elementary && b.elementary) return distance_bound(*a.elementary, *b.elementary, ball);
+  if (a.swept && b.swept) return gap_of_one_sweep(*a.swept, *b.swept, ball, options_.tolerances);
+  return {};
 }
 
 // What the outlines leave open is listed.

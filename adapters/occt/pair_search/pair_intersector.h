@@ -55,7 +55,7 @@ class PairIntersector {
   bool is_settled_by_neighbours(const FaceData& a, const FaceData& b,
                                 const std::vector<SharedEdge>& edges,
                                 FaceIntersection& result) const;
-  static std::optional<double> gap_of_one_surface(const FaceData& a, const FaceData& b);
+  std::optional<double> gap_of_one_surface(std::size_t i, std::size_t j) const;
   SurfaceIntersection on_surface_of_both(const std::pair<int, int>& pair,
                                          const std::vector<SharedEdge>& edges, double gap,
                                          double within) const;
