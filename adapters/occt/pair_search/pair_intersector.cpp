@@ -12,6 +12,7 @@
 #include "adapters/occt/base/limits.h"
 #include "adapters/occt/base/step_failure.h"
 #include "adapters/occt/coincidence/known_crossings.h"
+#include "adapters/occt/coincidence/one_spline.h"
 #include "adapters/occt/coincidence/one_surface.h"
 #include "adapters/occt/coincidence/trimmed_overlaps.h"
 #include "adapters/occt/faces/elementary_faces.h"
@@ -202,7 +203,7 @@ std::optional<double> PairIntersector::gap_of_one_surface(std::size_t i, std::si
   const Ball ball{0.5 * (common.low + common.high), 0.5 * diagonal(common)};
   if (a.elementary && b.elementary) return distance_bound(*a.elementary, *b.elementary, ball);
   if (a.swept && b.swept) return gap_of_one_sweep(*a.swept, *b.swept, ball, options_.tolerances);
-  return {};
+  return gap_of_one_spline(faces_a_.face(i), faces_b_.face(j), limit_.remaining());
 }
 
 // What the outlines leave open is listed.

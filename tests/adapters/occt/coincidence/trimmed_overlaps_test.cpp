@@ -148,7 +148,7 @@ std::vector<Pair> pairs() {
       {"patches of walls", chart_disc(cylinder(), 1, 1, 0.5), chart_disc(cylinder(), 1.5, 1, 0.5),
        kLens / 4, kLens / 4, 1},
       {"copies of a patch", chart_disc(whole, 0.4, 0.5, 0.3), chart_disc(hill(), 0.6, 0.5, 0.3),
-       lens_of_hill, lens_of_hill, 1, Status::Tolerance},
+       lens_of_hill, lens_of_hill, 1},
       // The parameters of the part are (u - 0.3) / 0.7 and v / 0.7.
       {"a part of a patch", chart_disc(whole, 0.6, 0.4, 0.2), BRepBuilderAPI_MakeFace(part, 1e-7),
        0.04 * kPi, 0.04 * kPi / 0.49, 1, Status::Tolerance},
