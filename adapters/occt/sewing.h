@@ -10,6 +10,14 @@
 
 namespace blossom::occt {
 
+/// Which faces of a model that bound no closed solid are sewn.
+enum class Sewable {
+  All,
+  /// Not those of shells that are closed, nor faces that close alone: they are sheets, unless
+  /// others of the model are, or become, solids.
+  Open,
+};
+
 /// Loose faces are those that bound no closed solid. Lengths in model units.
 struct Sewing {
   int loose = 0;            ///< faces that bounded no closed solid

@@ -123,12 +123,13 @@ class Model {
   /// part, then all that are still loose (repair/sewn_faces.h). Numbers, names and looks of faces
   /// stay; of parts that become one solid together the part is called like the file. What does not
   /// close, or what Open CASCADE fails on, stays as it is: the answer says so. A model is sewn
-  /// once; later calls do nothing and answer the same.
+  /// once; later calls do nothing and answer the same, unless they ask for more.
   ///
   /// within   the widest gap that is one, model units; without it as the borders' tolerances and
   ///          lengths allow (repair/border_gaps.h)
   /// stop     asked often; ends the work by an exception
-  Sewing sew(std::optional<double> within = {}, const std::function<void()>& stop = {});
+  Sewing sew(std::optional<double> within = {}, const std::function<void()>& stop = {},
+             Sewable which = Sewable::All);
 
   /// Whether that was done.
   bool is_sewn() const;

@@ -145,7 +145,7 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
   return interruptible(control, [&](const Watch& watch) {
     const std::vector<SharedModel> models = with_part(part, tools);
     const Turns turns = turns_of(models, watch);
-    const reports::Input& input = part->repaired_input(watch);
+    const reports::Input& input = part->repaired_input(watch, reports::LooseFaces::OpenSewn);
     reports::SolidAnswer answer{.part = input.name, .planes = planes, .operation = operation};
     answer.repairs.push_back(reports::repairs_json(input));
     std::vector<occt::TrimTool> cutters;
@@ -153,7 +153,7 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
     std::list<occt::Model> alone;
     const occt::Model& own = named_of(input, alone);
     for (const SharedModel& tool : tools) {
-      const reports::Input& other = tool->repaired_input(watch);
+      const reports::Input& other = tool->repaired_input(watch, reports::LooseFaces::OpenSewn);
       answer.tools.push_back(other.name);
       answer.repairs.push_back(reports::repairs_json(other));
       origins.push_back(&named_of(other, alone));

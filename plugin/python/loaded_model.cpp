@@ -51,6 +51,7 @@ std::shared_ptr<LoadedModel> LoadedModel::part(const std::vector<int>& numbers,
   made->model_ = model_;
   made->working_ = working_;
   made->sewn_ = sewn_;
+  made->open_sewn_ = open_sewn_;
   made->sewing_ = sewing_;
   return made;
 }
@@ -114,10 +115,13 @@ reports::Input& LoadedModel::input() {
 
 // Once; what is sewn already by another part of the model is told again. Models that answers made
 // are as they were meant to be.
-void LoadedModel::sew(const Watch& watch) {
+void LoadedModel::sew(const Watch& watch, occt::Sewable which) {
   if (sewn_ || (file() == nullptr && given_.IsNull())) return;
-  sewing_ = model().sew({}, [&watch] { watch.stop(); });
-  sewn_ = true;
+  if (which == occt::Sewable::Open && open_sewn_) return;
+  sewing_ = model().sew(
+      {}, [&watch] { watch.stop(); }, which);
+  sewn_ = which == occt::Sewable::All;
+  open_sewn_ = true;
   measured_.reset();
   rays_.reset();
   repaired_ = false;
@@ -125,6 +129,7 @@ void LoadedModel::sew(const Watch& watch) {
 
 reports::Input& LoadedModel::repaired_input(const Watch& watch, reports::LooseFaces loose) {
   if (loose == reports::LooseFaces::Sewn) sew(watch);
+  if (loose == reports::LooseFaces::OpenSewn) sew(watch, occt::Sewable::Open);
   reports::Input& known = input();
   if (repair_ == reports::Repairing::None || repaired_) return known;
   const std::function<void()> stop = [&watch] { watch.stop(); };

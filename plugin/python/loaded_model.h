@@ -82,7 +82,7 @@ class LoadedModel {
 
  private:
   LoadedModel() = default;
-  void sew(const Watch& watch);
+  void sew(const Watch& watch, occt::Sewable which = occt::Sewable::All);
 
   std::string name_;
   reports::Repairing repair_ = reports::Repairing::None;
@@ -92,7 +92,7 @@ class LoadedModel {
   std::shared_ptr<occt::Model> model_;
   std::shared_ptr<std::timed_mutex> working_ = std::make_shared<std::timed_mutex>();
   bool repaired_ = false;
-  bool sewn_ = false;
+  bool sewn_ = false, open_sewn_ = false;
   occt::Sewing sewing_;
   std::vector<TopoDS_Face> faces_;
   std::optional<reports::MeasuredInput> measured_;

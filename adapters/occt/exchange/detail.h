@@ -25,6 +25,7 @@ struct Model::Impl : Contents {
   ReadingReport reading;
   StatedTolerances stated = StatedTolerances::Kept;
   std::optional<Sewing> sewing;        ///< what became of loose faces, once they were looked at
+  Sewable sewn = Sewable::Open;        ///< which were
   std::unique_ptr<Repairer> repairer;  ///< of `shape`; null until something is to be repaired
 
   /// After a change of what it holds: takes shape and face numbers from it.

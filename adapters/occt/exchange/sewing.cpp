@@ -34,6 +34,22 @@ std::set<int> loose_faces(const Contents& contents) {
   return loose;
 }
 
+/// Numbers of the faces of shells that are closed, and of faces that close alone, outside of
+/// solids.
+std::set<int> closed_sheets(const Contents& contents) {
+  std::set<int> sheets;
+  const auto add = [&](const TopoDS_Shape& sheet) {
+    if (!is_closed_solid(sheet)) return;
+    for (TopExp_Explorer face(sheet, TopAbs_FACE); face.More(); face.Next())
+      sheets.insert(contents.faces.FindIndex(face.Current()));
+  };
+  for (TopExp_Explorer it(contents.shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
+    add(it.Current());
+  for (TopExp_Explorer it(contents.shape, TopAbs_FACE, TopAbs_SHELL); it.More(); it.Next())
+    add(it.Current());
+  return sheets;
+}
+
 /// The parts that are in no other one, by their faces.
 void add_parts(const std::vector<AssemblyNode>& nodes, std::vector<std::vector<int>>& parts) {
   for (const AssemblyNode& node : nodes)
@@ -46,12 +62,27 @@ void add_parts(const std::vector<AssemblyNode>& nodes, std::vector<std::vector<i
 class SewingOfModel {
  public:
   SewingOfModel(const Contents& contents, std::optional<double> within,
-                const std::function<void()>& stop)
+                const std::function<void()>& stop, Sewable which)
       : contents_(contents), within_(within), stop_(stop), loose_(loose_faces(contents)) {
+    const bool are_all_loose = static_cast<int>(loose_.size()) == contents.faces.Extent();
+    if (which == Sewable::Open && are_all_loose) kept_ = closed_sheets(contents);
+    for (const int number : kept_) loose_.erase(number);
     told_.loose = static_cast<int>(loose_.size());
   }
 
   void sew_parts(const std::vector<AssemblyNode>& nodes) {
+    sew_loose(nodes);
+    if (solids_.empty() || kept_.empty()) return;
+    told_.loose += static_cast<int>(kept_.size());
+    loose_.merge(kept_);
+    sew_loose(nodes);
+  }
+
+  const std::vector<SolidOfFaces>& solids() const { return solids_; }
+  const Sewing& told() const { return told_; }
+
+ private:
+  void sew_loose(const std::vector<AssemblyNode>& nodes) {
     if (loose_.empty()) return;
     std::vector<std::vector<int>> parts;
     add_parts(nodes, parts);
@@ -68,10 +99,6 @@ class SewingOfModel {
     told_.failed.clear();
   }
 
-  const std::vector<SolidOfFaces>& solids() const { return solids_; }
-  const Sewing& told() const { return told_; }
-
- private:
   void sew(const std::vector<int>& numbers) {
     std::vector<TopoDS_Face> faces;
     for (const int number : numbers) faces.push_back(TopoDS::Face(contents_.faces(number)));
@@ -103,7 +130,7 @@ class SewingOfModel {
   const Contents& contents_;
   const std::optional<double> within_;
   const std::function<void()>& stop_;
-  std::set<int> loose_;
+  std::set<int> loose_, kept_;
   std::vector<SolidOfFaces> solids_;
   Sewing told_;
 };
@@ -128,10 +155,11 @@ bool are_renumbered(const std::vector<SolidOfFaces>& solids, const Contents& con
 
 }  // namespace
 
-Sewing Model::sew(std::optional<double> within, const std::function<void()>& stop) {
-  if (impl_->sewing) return *impl_->sewing;
+Sewing Model::sew(std::optional<double> within, const std::function<void()>& stop, Sewable which) {
+  if (impl_->sewing && (impl_->sewn == Sewable::All || which == Sewable::Open))
+    return *impl_->sewing;
   const std::lock_guard guard(exchange_lock());
-  SewingOfModel sewing(*impl_, within, stop);
+  SewingOfModel sewing(*impl_, within, stop, which);
   if (!shape().IsNull()) sewing.sew_parts(assembly());
   Sewing told = sewing.told();
   if (!sewing.solids().empty()) try {
@@ -147,6 +175,7 @@ Sewing Model::sew(std::optional<double> within, const std::function<void()>& sto
       told.failed = failure.what();
     }
   impl_->sewing = told;
+  impl_->sewn = which;
   return told;
 }
 

@@ -123,12 +123,13 @@ void select(const InputName& name, Faces need, Input& input) {
 
 // A limit of 0 leaves faces loose, and so does what Open CASCADE fails on, or breaks down on:
 // commands can use them.
-void sew(const std::filesystem::path& file, occt::Model& model, Input& input) {
+void sew(const std::filesystem::path& file, occt::Sewable which, occt::Model& model, Input& input) {
   const std::optional<double>& within = reading_policy().sew;
   if (within == 0) return;
   const bool first = !model.is_sewn();
-  const bool done = watched_checks(file)(
-      "sewing the loose faces", [&] { input.sewing = model.sew(within, stop_if_interrupted); });
+  const bool done = watched_checks(file)("sewing the loose faces", [&] {
+    input.sewing = model.sew(within, stop_if_interrupted, which);
+  });
   if (!done) input.sewing.failed = "Open CASCADE's sewing of them crashes or never ends";
   if (!first) return;
   for (const std::string& line : reports::words_of(input.sewing, "--sew-gap"))
@@ -213,7 +214,9 @@ Input read_input(const std::string& text, Faces need, reports::Repairing repair,
   const std::shared_ptr<occt::Model> model = model_of(name.file);
   Input input{text, model, *model};
   if (loose == reports::LooseFaces::Sewn || !name.words.empty() || reading_policy().sew)
-    sew(name.file, *model, input);
+    sew(name.file, occt::Sewable::All, *model, input);
+  else if (loose == reports::LooseFaces::OpenSewn)
+    sew(name.file, occt::Sewable::Open, *model, input);
   if (!name.words.empty()) name = with_whole_names(std::move(name), text, *model);
   input.shape = model->shape();
   input.numbers = chosen_numbers(name, input.shape, model->face_count(), need);

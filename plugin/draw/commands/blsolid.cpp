@@ -38,7 +38,7 @@ occt::SolidOperation operation_of(const std::string& word) {
 // One without faces is taken for its edges and vertices.
 occt::TrimTool input_named(const std::string& name) {
   const TopoDS_Shape shape = shape_named(name);
-  if (!occt::faces_of(shape).empty()) return tool_named(name);
+  if (!occt::faces_of(shape).empty()) return tool_named(name, occt::Sewable::Open);
   occt::TrimTool input = occt::trim_tool(shape);
   input.name = name;
   return input;

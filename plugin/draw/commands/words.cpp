@@ -52,12 +52,12 @@ TopoDS_Shape shape_named(const std::string& name) {
   throw occt::BadModel(name + ": there is no such shape");
 }
 
-SewnShape sew(const std::string& name, const std::optional<double>& within) {
+SewnShape sew(const std::string& name, const std::optional<double>& within, occt::Sewable which) {
   SewnShape sewn{shape_named(name), {}};
   if (occt::faces_of(sewn.shape).empty()) return sewn;
   occt::Model model;
   model.add(sewn.shape, name);
-  sewn.sewing = model.sew(within);
+  sewn.sewing = model.sew(within, {}, which);
   if (!sewn.sewing.solids.empty()) sewn.shape = model.shape();
   for (const std::string& line : reports::words_of(sewn.sewing, "blsew RESULT " + name))
     std::cerr << name << ": " << line << '\n';
@@ -72,8 +72,8 @@ std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape, const std::string& 
   return faces;
 }
 
-occt::TrimTool tool_named(const std::string& name) {
-  const TopoDS_Shape shape = sewn_shape(name);
+occt::TrimTool tool_named(const std::string& name, occt::Sewable which) {
+  const TopoDS_Shape shape = sew(name, std::nullopt, which).shape;
   faces_in(shape, name);
   occt::TrimTool tool = occt::trim_tool(shape);
   tool.name = name;

@@ -49,14 +49,15 @@ struct SewnShape {
 };
 /// within   the widest gap that is one; without it as the borders allow
 /// throws   likewise
-SewnShape sew(const std::string& name, const std::optional<double>& within);
+SewnShape sew(const std::string& name, const std::optional<double>& within,
+              occt::Sewable which = occt::Sewable::All);
 
 /// throws   likewise, or if there is no face in it
 std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape, const std::string& name);
 
 /// All of it, sewn, as a tool that is called by its name in messages.
 /// throws   BadModel likewise, or as trim_tool
-occt::TrimTool tool_named(const std::string& name);
+occt::TrimTool tool_named(const std::string& name, occt::Sewable which = occt::Sewable::All);
 
 /// throws   BadModel if the word is no finite number, or not positive, or no number of a thing
 double number_from(const std::string& word);

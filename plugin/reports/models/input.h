@@ -21,8 +21,8 @@ enum class Repairing {
 };
 
 /// What becomes of faces that bound no closed solid: sewn into the solids that they close, see
-/// occt::Model::sew, or not.
-enum class LooseFaces { Kept, Sewn };
+/// occt::Model::sew, or not. Closed sheets stay where open ones alone are sewn.
+enum class LooseFaces { Kept, OpenSewn, Sewn };
 
 /// A model with the faces that the user means.
 struct Input {

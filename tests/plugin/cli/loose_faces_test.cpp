@@ -100,6 +100,24 @@ TEST_F(LooseFaces, StayLooseIfThatIsAskedFor) {
   EXPECT_TRUE(mass_of("box.brep", {"--sew-gap", "0"})["total"].is_null());
 }
 
+// As Open CASCADE's general fuse has it; --sew-gap asks for a solid.
+TEST_F(LooseFaces, ThatAreAClosedShellAreASheetWhereShapesAreCombined) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 20, 30).Shape();
+  write({TopExp_Explorer(box, TopAbs_SHELL).Current()}, "shell.brep");
+  const auto cut = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"trim",        path("shell.brep"), "--plane",
+                                   "0,0,5,0,0,1", "--solid",          "cut",
+                                   "-o",          path("cut.brep")};
+    words.insert(words.end(), options.begin(), options.end());
+    const Finished ran = blossom(words);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return ran.out;
+  };
+  EXPECT_NE(cut({}).find("1 sheet"), std::string::npos);
+  EXPECT_NE(cut({"--sew-gap", "1e-3"}).find("1 solid"), std::string::npos);
+  EXPECT_NEAR(mass_of("shell.brep")["total"]["volume"], 6000, 1e-6);
+}
+
 TEST_F(LooseFaces, ThatOpenCascadeFailsToSewStayLoose) {
   std::vector<TopoDS_Shape> faces;
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 20, 30).Shape();

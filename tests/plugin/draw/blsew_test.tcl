@@ -13,6 +13,10 @@ test {
   claim "and so are the answers to others" [expr {[dict get [blinfo loose] solids] == 1 && [lindex [blcheck loose] 0] == 0}]
   box drill 0.2 0.2 -1 0.5 0.5 9
   claim "they are cut as a solid" [near [lindex [blsolid cut cut loose drill] 2] [expr {6 - 0.75}]]
+  explode block sh
+  claim "a closed shell is cut as a sheet" [near [lindex [blsolid cut cut block_1 drill] 2] [expr {22 - 2 * 0.25}]]
+  blsew solid block_1
+  claim "and as a solid once it is sewn" [near [lindex [blsolid cut cut solid drill] 2] [expr {6 - 0.75}]]
   claim "and rounded" [expr {[lindex [blfillet rounded loose 0.1 all] 0] == 12}]
 
   compound face_1 face_2 face_3 face_4 face_5 open

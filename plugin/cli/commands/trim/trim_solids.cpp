@@ -71,7 +71,8 @@ void make_watertight(TimedSolids& timed, const EngineOptions& engine) {
 }
 
 Input input_of(const std::string& text, Json& repairs) {
-  Input input = read_input(text, Faces::Optional);
+  Input input =
+      read_input(text, Faces::Optional, reports::Repairing::Used, reports::LooseFaces::OpenSewn);
   repairs.push_back(repairs_json(input));
   return input;
 }

@@ -192,5 +192,44 @@ TEST(Sewing, LeavesSolidsAndSheetsAsTheyAre) {
   EXPECT_TRUE(model.shape().IsSame(before));
 }
 
+TopoDS_Shape first_in(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  return TopExp_Explorer(shape, kind).Current();
+}
+
+TEST(Sewing, OfWhatIsOpenLeavesClosedShellsAndFacesThatCloseAlone) {
+  for (const TopoDS_Shape& sheet :
+       {first_in(plate(), TopAbs_SHELL), first_in(BRepPrimAPI_MakeSphere(1).Shape(), TopAbs_SHELL),
+        first_in(BRepPrimAPI_MakeTorus(3, 1).Shape(), TopAbs_FACE)}) {
+    Model model;
+    model.add(sheet, "sheet");
+    EXPECT_EQ(model.sew({}, {}, Sewable::Open).loose, 0);
+    EXPECT_EQ(solids_in(model.shape()), 0);
+    EXPECT_EQ(model.sew({}, {}, Sewable::All).solids.size(), 1U);
+    EXPECT_EQ(solids_in(model.shape()), 1);
+  }
+}
+
+TEST(Sewing, OfWhatIsOpenSewsFacesThatCloseTogether) {
+  Model model;
+  for (const TopoDS_Shape& face : loose(plate())) model.add(face, "plate");
+  EXPECT_EQ(model.sew({}, {}, Sewable::Open).solids.size(), 1U);
+}
+
+// Left out beside a solid, the sheet would be no part of the answer.
+TEST(Sewing, OfWhatIsOpenSewsClosedShellsBesideSolids) {
+  const gp_Ax2 aside(gp_Pnt(100, 0, 0), gp_Dir(0, 0, 1));
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(aside, 1).Shape();
+  Model beside;
+  beside.add(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), "block");
+  beside.add(first_in(ball, TopAbs_SHELL), "ball");
+  EXPECT_EQ(beside.sew({}, {}, Sewable::Open).solids.size(), 1U);
+  EXPECT_EQ(solids_in(beside.shape()), 2);
+  Model made;
+  for (const TopoDS_Shape& face : loose(plate())) made.add(face, "plate");
+  made.add(first_in(ball, TopAbs_SHELL), "ball");
+  EXPECT_EQ(made.sew({}, {}, Sewable::Open).solids.size(), 2U);
+  EXPECT_EQ(solids_in(made.shape()), 2);
+}
+
 }  // namespace
 }  // namespace blossom::occt
