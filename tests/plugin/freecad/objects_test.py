@@ -344,7 +344,7 @@ def fillet_rounds_edges(document):
     claim("an object all that it has", len(rounded.Rounded) == 12)
     rounded.Radius, rounded.Edges = "20 mm", [(block, "Edge1")]
     document.recompute()
-    claim("what is too large is an error that says why", says(rounded, "the radius is too large"))
+    claim("what is too large is an error that says why", says(rounded, "the largest radius is"))
     claim("and how large it may be", "the largest radius is 10 mm" in rounded.Refused[0])
     rounded.Edges = [(block, "Edge99")]
     document.recompute()

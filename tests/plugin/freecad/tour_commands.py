@@ -115,7 +115,7 @@ def fillet():
     yield lambda: "radius" in said()
     press("Ok")
     claim("what cannot be made keeps the panel open", FreeCADGui.Control.activeDialog())
-    claim("and says why", "the radius is too large" in said())
+    claim("and says why", "the largest radius is" in said())
     panel_radius.setProperty("rawValue", 3)
     yield found
     press("Ok")

@@ -53,9 +53,9 @@ class Fillets(unittest.TestCase):
         self.assertEqual((made.status, bool(made)), ("refused", False))
         self.assertTrue(repr(made).startswith("<blossom.Fillet: nothing rounded, 1 refused: edge 1:"))
         self.assertEqual(made.refused[0]["fault"], "leaves face")
-        self.assertIn("the radius is too large", made.refused[0]["cause"])
+        self.assertIn("beyond the border of face", made.refused[0]["cause"])
         with self.assertRaisesRegex(
-            blossom.Error, "Fillet: there is no shape in this answer .*1 refused: edge 1: .* too large"
+            blossom.Error, "Fillet: there is no shape in this answer .*1 refused: edge 1: .*the largest that works is 40"
         ):
             made.to_brep()
 
@@ -179,7 +179,7 @@ class Chamfers(unittest.TestCase):
         refused = BLOCK.chamfer("all", distance=100, partial=True).refused
 
         self.assertEqual(refused[0]["fault"], "leaves face")
-        self.assertIn("the chamfer's border is nowhere in face", refused[0]["cause"])
+        self.assertIn("the chamfer's border lies beyond the border of face", refused[0]["cause"])
         for each in refused:
             self.assertNotRegex(each["cause"], "ball|radius|fillet")
 

@@ -82,8 +82,8 @@ BlendSheet::Cut BlendSheet::end_cut(const DirectedEdge& half, std::size_t side, 
   const std::optional<ContactCrossing> best = way_out(half, side);
   if (!best && !lies_inside(body_, contact, of.inside))
     refuse(half, FilletFault::LeavesFace,
-           contact_words() + " is nowhere in face " + std::to_string(contact.face) +
-               " at this end, but beyond its border");
+           contact_words() + " lies beyond the border of face " + std::to_string(contact.face) +
+               " at this end");
   if (!best)
     refuse(half, FilletFault::End,
            contact_words() + " on face " + std::to_string(contact.face) +

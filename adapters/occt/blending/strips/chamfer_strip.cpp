@@ -60,12 +60,15 @@ Borders borders_over(const Chamfering& of, const Interval& wanted) {
       rows.emplace_back(x, *both);
     }
   };
-  for (int i = 0; i <= kSteps; ++i) {
-    const double x = at(of.domain, static_cast<double>(i) / kSteps);
+  const auto add_on_edge = [&](int step) {
+    const double x = at(of.domain, static_cast<double>(step) / kSteps);
     const auto both = of.at_edge(x);
     if (!both) of.refuse(kNoBorderPoint, x);
     rows.emplace_back(x, *both);
-  }
+  };
+  add_on_edge(0);
+  add_on_edge(kSteps);
+  for (int i = 1; i < kSteps; ++i) add_on_edge(i);
   add_from(of.domain.from, wanted.from);
   add_from(of.domain.to, wanted.to);
   std::ranges::sort(rows, {}, &Row::first);
