@@ -463,8 +463,7 @@ class Assembly {
            "faces beside a common edge are too near each other to be told apart there");
   }
 
-  // Places nearer than the tolerance are listed: where none is, what is approximated within less
-  // does not meet either.
+  // Places nearer than the tolerance are listed: without any, what is approximated is apart, too.
   void note_approximations() {
     const double error = std::max(a_.error, b_.error);
     const bool apart = result_.curves.empty() && result_.points.empty() && result_.places.empty() &&
