@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include <TopExp_Explorer.hxx>
+
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/half_space.h"
@@ -45,8 +47,9 @@ std::vector<SharedModel> with_part(const SharedModel& part, std::vector<SharedMo
   return tools;
 }
 
+// What was made, which may be edges or a vertex alone; null if nothing was.
 SharedModel made_model(const std::string& name, occt::Model model) {
-  if (model.face_count() == 0) return nullptr;
+  if (!TopExp_Explorer(model.shape(), TopAbs_VERTEX).More()) return nullptr;
   return std::make_shared<LoadedModel>(name, std::move(model), reports::Repairing::None);
 }
 

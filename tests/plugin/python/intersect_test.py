@@ -201,6 +201,7 @@ class Arguments(unittest.TestCase):
             self.assertEqual(sum(item["edges"] for item in made), edges)
             self.assertAlmostEqual(made.lengths["result"], 2.0 * edges, places=7)
             self.assertIn(f", {edges} edges", repr(made))
+            self.assertEqual(made.to_brep().count(b"\nEd"), edges)
         with self.assertRaisesRegex(ValueError, "wires take nothing off faces and solids"):
             blossom.solid("cut", wall, line)
 
