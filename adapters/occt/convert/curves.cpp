@@ -157,13 +157,25 @@ void leave_periods(const TopoDS_Edge& edge) {
   }
 }
 
+namespace {
+
+constexpr double kLengthError = 1e-7;  // asked of Open CASCADE's adaptive rule, part of the length
+
+}  // namespace
+
+// Without an error that is asked for, Open CASCADE's rule has a few points for the whole curve, and
+// errs by 0.5 % on an ellipse.
+double curve_length(const Adaptor3d_Curve& curve, const Interval& range) {
+  return GCPnts_AbscissaPoint::Length(curve, range.from, range.to, kLengthError);
+}
+
 double edge_length(const TopoDS_Edge& edge) {
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
   if (curve.IsNull()) return Precision::Infinite();
   if (const auto part = part_beyond_period(curve, range))
-    return GCPnts_AbscissaPoint::Length(GeomAdaptor_Curve(part));
-  return GCPnts_AbscissaPoint::Length(GeomAdaptor_Curve(curve, range.from, range.to));
+    return curve_length(GeomAdaptor_Curve(part), range);
+  return curve_length(GeomAdaptor_Curve(curve), range);
 }
 
 }  // namespace blossom::occt

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <Adaptor3d_Curve.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -77,7 +78,10 @@ Handle(Geom2d_BSplineCurve)
 /// edge   of a result: shapes that have it in common see the change
 void leave_periods(const TopoDS_Edge& edge);
 
-/// The length of an edge's curve in space, model units; infinite if there is none.
+/// The length of a curve over a range of its parameter, model units; to 1e-7 of it.
+double curve_length(const Adaptor3d_Curve& curve, const Interval& range);
+
+/// The length of an edge's curve in space, likewise; infinite if there is none.
 double edge_length(const TopoDS_Edge& edge);
 
 }  // namespace blossom::occt

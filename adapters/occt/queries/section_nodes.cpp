@@ -8,7 +8,6 @@
 #include <BRep_Tool.hxx>
 #include <BndLib_Add3dCurve.hxx>
 #include <Bnd_Box.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <TopExp.hxx>
@@ -42,8 +41,7 @@ SectionCurve curve_of(std::size_t face, const TopoDS_Edge& edge, const Heights& 
   curve.curve = BRep_Tool::Curve(edge, curve.range.from, curve.range.to);
   curve.tolerance = BRep_Tool::Tolerance(edge);
   curve.deviation = std::max(heights.high, -heights.low) + heights.margin;
-  curve.length = GCPnts_AbscissaPoint::Length(GeomAdaptor_Curve(curve.curve), curve.range.from,
-                                              curve.range.to);
+  curve.length = edge_length(edge);
   for (int i = 0; i < kEdgeSamples; ++i)
     curve.samples.push_back(
         vec(curve.curve->Value(at(curve.range, static_cast<double>(i) / (kEdgeSamples - 1)))));

@@ -15,13 +15,13 @@
 #include <BndLib_Add3dCurve.hxx>
 #include <Bnd_Box.hxx>
 #include <Extrema_ExtPC.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/curves.h"
 #include "core/base/disjoint_sets.h"
 #include "core/bounds/box_tree.h"
 
@@ -66,7 +66,7 @@ LooseCurve curve_of(const TopoDS_Edge& edge, const TopoDS_Face& face, std::size_
   }();
   border.curve = in_space ? std::make_unique<BRepAdaptor_Curve>(edge)
                           : std::make_unique<BRepAdaptor_Curve>(edge, face);
-  border.length = GCPnts_AbscissaPoint::Length(*border.curve);
+  border.length = curve_length(*border.curve, {border.first(), border.last()});
   border.tolerance = BRep_Tool::Tolerance(edge);
   border.feet = std::make_unique<Extrema_ExtPC>();
   border.feet->Initialize(*border.curve, border.first(), border.last());

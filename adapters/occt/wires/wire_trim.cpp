@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -16,6 +14,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/repair/true_inputs.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
 #include "adapters/occt/splitting/edges/joined_curves.h"
@@ -59,8 +58,7 @@ std::vector<TopoDS_Vertex> lone_vertices(const TopoDS_Shape& shape) {
 
 double length_of(const TopoDS_Shape& shape) {
   double sum = 0;
-  for (const TopoDS_Edge& edge : edges_of(shape))
-    sum += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge));
+  for (const TopoDS_Edge& edge : edges_of(shape)) sum += edge_length(edge);
   return sum;
 }
 

@@ -8,7 +8,6 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
@@ -17,6 +16,7 @@
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
 
@@ -59,8 +59,7 @@ double length_left(const BodyEdges& body, const DirectedEdge& half, const Vec3& 
   Interval own;
   const double at =
       nearest_on(BRep_Tool::Curve(body.edge(half.edge), own.from, own.to), range, from);
-  return half.at_start ? GCPnts_AbscissaPoint::Length(curve, range.from, at)
-                       : GCPnts_AbscissaPoint::Length(curve, at, range.to);
+  return curve_length(curve, half.at_start ? Interval{range.from, at} : Interval{at, range.to});
 }
 
 }  // namespace

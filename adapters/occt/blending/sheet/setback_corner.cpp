@@ -196,7 +196,7 @@ double BlendSheet::setback_cut(const Ring& ring, std::size_t sector) {
   const BRepAdaptor_Curve curve(body_.edge(half.edge));
   const double sign = half.at_start ? 1 : -1;
   const double start = half.at_start ? curve.FirstParameter() : curve.LastParameter();
-  const double whole = GCPnts_AbscissaPoint::Length(curve);
+  const double whole = edge_length(body_.edge(half.edge));
   if (reach >= kShare * whole)
     refuse(half, FilletFault::EdgeConsumed,
            "the strips beside it take more of it than half: " + too_large());

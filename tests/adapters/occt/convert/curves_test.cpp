@@ -8,7 +8,9 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <GeomAdaptor_Curve.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_Ellipse.hxx>
 #include <Geom_Line.hxx>
 #include <gp.hxx>
 
@@ -173,6 +175,26 @@ TEST(SplineToOcct, KeepsKnotsAndPointsBitForBit) {
     EXPECT_EQ(curve->Knot(i), spline.knots[static_cast<std::size_t>(i - 1)]);
     EXPECT_EQ(pcurve->Multiplicity(i), spline.multiplicities[static_cast<std::size_t>(i - 1)]);
   }
+}
+
+TEST(CurveLength, OfAnEllipseIsItsEllipticIntegral) {
+  for (const double minor : {3.0, 0.05}) {
+    const GeomAdaptor_Curve ellipse(new Geom_Ellipse(gp::XOY(), 10, minor));
+    const double exact = 40 * std::comp_ellint_2(std::sqrt(1 - minor * minor / 100));
+    EXPECT_NEAR(curve_length(ellipse, {0, 2 * kPi}), exact, 1e-7 * exact);
+    EXPECT_NEAR(curve_length(ellipse, {0, kPi / 2}), exact / 4, 1e-7 * exact);
+  }
+}
+
+TEST(CurveLength, OfASplineWithManySpansIsTheSumOfTheirs) {
+  const Spline spline{2,
+                      {0, 1, 2, 3, 4},
+                      {3, 1, 1, 1, 3},
+                      {{0, 0, 0}, {9, 0, 0}, {9, 1, 0}, {0, 1, 0}, {0, 8, 5}, {1, 8, 0}}};
+  const GeomAdaptor_Curve curve(to_occt(spline));
+  double sum = 0;
+  for (double at = 0; at < 4; at += 1.0 / 64) sum += curve_length(curve, {at, at + 1.0 / 64});
+  EXPECT_NEAR(curve_length(curve, {0, 4}), sum, 2e-7 * sum);
 }
 
 TEST(SplineToOcct, RefusesWhatIsNoSpline) {
