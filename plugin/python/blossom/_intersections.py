@@ -89,7 +89,7 @@ class Intersection(Result):
 
     @property
     def curves(self) -> List[Curve]:
-        """One for each edge of `to_part()`."""
+        """Those of all pairs of faces; `to_part()` has each stretch once."""
         return self._parts("curves", Curve)
 
     @property
