@@ -85,7 +85,7 @@ std::string face_line(const FaceFacts& face) {
   form << measures_text(face.measures);
   // A degree sign takes two bytes.
   line << std::setw(face.measures.half_angle ? 37 : 36) << form.str() << " " << std::setw(12)
-       << (face.area ? number_text(rounded(*face.area)) : "") << std::setw(10) << face.tolerance
+       << (face.area ? number_text(rounded(*face.area)) : "") << std::setw(12) << face.tolerance
        << (face.problems.empty() ? "valid  " : "NOT VALID: ");
   for (std::size_t i = 0; i < face.problems.size(); ++i)
     line << (i == 0 ? "" : "; ") << face.problems[i];
@@ -173,7 +173,7 @@ std::string faces_text(const ModelFacts& facts, bool all) {
     if (all || !face.problems.empty()) text += face_line(face);
   if (text.empty()) return text;
   return "  face  surface    form" + std::string(33, ' ') +
-         "area (mm²)  tolerance validity, colour, name\n" + text;
+         "area (mm²)  tolerance   validity, colour, name\n" + text;
 }
 
 struct InfoCommand {
