@@ -55,6 +55,10 @@ class PairModel {
 
   const Vec3& rounding() const { return rounding_; }
 
+  /// Of the cells.
+  const SecondDerivatives& second_a() const { return second_a_; }
+  const SecondDerivatives& second_b() const { return second_b_; }
+
   /// Parameters in the patches' own [0, 1].
   std::array<double, 4> parameters(const std::array<double, 4>& place) const;
 

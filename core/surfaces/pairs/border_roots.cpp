@@ -9,6 +9,7 @@
 #include "core/forms/evaluation.h"
 #include "core/math/index.h"
 #include "core/surfaces/gap/newton.h"
+#include "core/surfaces/pairs/arc_bend.h"
 #include "core/surfaces/pairs/arc_stretches.h"
 
 namespace blossom {
@@ -124,8 +125,11 @@ class PairBorder {
         met_[index(face.axis)][face.high] = points.size() > before;
         continue;
       }
-      if (face.axis == along_ || !runs_along(face)) return false;
+      if (face.axis == along_) return false;
       points.resize(before);
+      if (touches(face, points)) continue;
+      points.resize(before);
+      if (!runs_along(face)) return false;
       sliding_[index(face.axis)][face.high] = true;
     }
     return std::ranges::all_of(points, [&](const Point4& x) { return add(roots, x); });
@@ -133,11 +137,13 @@ class PairBorder {
 
   // Does the arc run on inside the box in the direction `sign` of its tangent?
   bool enters(const Root& root, double sign) const {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double rate = sign * root.tangent[i];
-      if (at_face(root, i, false) && rate < 0) return false;
-      if (at_face(root, i, true) && rate > 0) return false;
-    }
+    for (std::size_t i = 0; i < 4; ++i)
+      for (const bool high : {false, true}) {
+        if (!at_face(root, i, high)) continue;
+        const double inward =
+            is_touch(root, i, high) ? touch_[i][high] : (high ? -sign : sign) * root.tangent[i];
+        if (inward < 0) return false;
+      }
     return true;
   }
 
@@ -228,6 +234,50 @@ class PairBorder {
     for (int step = 0; step < kKrawczykSteps; ++step)
       if (!narrow(part, minor, face.axis, none, part.middle, model_->gap(part.middle))) return true;
     return false;
+  }
+
+  // True if the arc touches the face in a corner of the box, where it passes another face, and
+  // meets it nowhere else but in roots: over the stretch from the corner on it bends one way.
+  bool touches(const BoxFace& face, std::vector<Point4>& points) {
+    double inward = 0;
+    for (std::size_t number = ArcStretches::kCount / 2; number < ArcStretches::kCount; ++number) {
+      const ArcStretch& s = arc_->stretch(number);
+      if (s.empty || off(s.part, face)) continue;
+      const Minor across = s.bounds->minor(face.axis);
+      if (across.regular && decide_in(s.part, across, face, points)) continue;
+      const auto bend = bend_over(*model_, s, along_, face.axis);
+      if (!bend || !(bend->from > 0 || bend->to < 0)) return false;
+      const auto corner = touched_corner(s.part, face);
+      if (!corner) return false;
+      points.push_back(*corner);
+      const double side = (bend->from > 0) == face.high ? -1 : 1;
+      if (inward != 0 && inward != side) return false;
+      inward = side;
+    }
+    touch_[index(face.axis)][face.high] = inward;
+    met_[index(face.axis)][face.high] = true;
+    return inward != 0;
+  }
+
+  // A root on another face, within the part, that is one on this face, too, across which the arc
+  // hardly moves there.
+  std::optional<Point4> touched_corner(const PairPart& part, const BoxFace& face) const {
+    for (int axis = 0; axis < 4; ++axis)
+      for (const bool high : {false, true}) {
+        if (axis == face.axis || off(part, {axis, high})) continue;
+        PairPart start = part;
+        start.middle[index(axis)] = side_of({axis, high});
+        const auto x = root_near(start, part, axis);
+        if (!x || leaves(*x, face.axis)) continue;
+        const double distance = std::abs((*x)[index(face.axis)] - place_of(face));
+        if (distance <= noise_at(*x)[index(face.axis)]) return x;
+      }
+    return std::nullopt;
+  }
+
+  // Whether the arc meets a face there as `touches` found.
+  bool is_touch(const Root& root, std::size_t i, bool high) const {
+    return touch_[i][high] != 0 && std::abs(root.tangent[i]) < kTangentToFace;
   }
 
   // The root on a face that Newton's method finds, if it is in the part.
@@ -363,9 +413,10 @@ class PairBorder {
     for (double& t : root.tangent) t /= largest;
     if (beyond(root)) return true;
     for (std::size_t i = 0; i < 4; ++i)
-      if ((at_face(root, i, false) || at_face(root, i, true)) &&
-          std::abs(root.tangent[i]) < kTangentToFace)
-        return false;
+      for (const bool high : {false, true})
+        if (at_face(root, i, high) && std::abs(root.tangent[i]) < kTangentToFace &&
+            !is_touch(root, i, high))
+          return false;
     roots.push_back(root);
     return true;
   }
@@ -383,6 +434,8 @@ class PairBorder {
   std::optional<Point4> nearest_;                 // to a face that the arc bends away from
   std::array<std::array<bool, 2>, 4> sliding_{};  // by parameter, low and high face
   std::array<std::array<bool, 2>, 4> met_{};      // likewise: the arc may cross the face
+  // Likewise: 1 if the arc touches the face in a corner from inside, -1 from outside, 0 else.
+  std::array<std::array<double, 2>, 4> touch_{};
 };
 
 }  // namespace

@@ -26,5 +26,43 @@ TEST(TouchedBorders, AreNotProvenToMissTheOtherSurface) {
   }
 }
 
+TEST(TouchedBorders, HoldCurvesThatRunAlongThemInACorner) {
+  // y = k x^2 touches the border y = 0 of a in the corner where it begins.
+  for (const double k : {0.2, 1.0, 5.0})
+    for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}, Vec2{1, 1}}) {
+      SCOPED_TRACE(::testing::Message() << k << " in " << corner[0] << ", " << corner[1]);
+      const testing::Cubic x =
+          corner[0] == 0 ? testing::linear(0, 1, 0) : testing::linear(1, -1, 0);
+      const testing::Cubic y =
+          corner[1] == 0 ? testing::linear(0, 0, 1) : testing::linear(1, 0, -1);
+      const BezierSurface a = testing::graph(0.5 * (y + -k * (x * x)), {0, 0}, {1, 0}, {0, 1});
+      const BezierSurface b = testing::graph({}, {-0.3, -0.3}, {1.7, 0}, {0, 1.7});
+
+      const SurfaceIntersection found = intersect(a, b);
+
+      EXPECT_EQ(found.status, Status::Complete);
+      EXPECT_TRUE(found.points.empty());
+      EXPECT_TRUE(found.places.empty());
+      ASSERT_EQ(found.curves.size(), 1u);
+      const auto& samples = found.curves[0].samples;
+      const Vec3 place{corner[0], corner[1], 0};
+      EXPECT_LE(
+          std::min(distance(samples.front().point, place), distance(samples.back().point, place)),
+          1e-9);
+    }
+}
+
+TEST(TouchedBorders, HoldNoCurvesThatLeaveThemInACorner) {
+  const testing::Cubic x = testing::linear(0, 1, 0), y = testing::linear(0, 0, 1);
+  const BezierSurface a = testing::graph(0.5 * (y + x * x), {0, 0}, {1, 0}, {0, 1});
+  const BezierSurface b = testing::graph({}, {-0.3, -0.3}, {1.7, 0}, {0, 1.7});
+
+  const SurfaceIntersection found = intersect(a, b);
+
+  EXPECT_TRUE(found.curves.empty());
+  ASSERT_EQ(found.points.size(), 1u);
+  EXPECT_LE(norm(found.points[0].point), 1e-9);
+}
+
 }  // namespace
 }  // namespace blossom
