@@ -84,7 +84,7 @@ std::vector<Row> rows() {
        0},
       {"bug24648", cone(gp_Ax3(O, gp::DZ()), kPi / 3, 0, {0, 60}), torus(30, 20), 2, kTurn * 45},
       {"bug28222_3", cylinder(gp_Ax3(gp_Pnt(-9, -5, -2.2058), gp_Dir(0, -1, 0)), 0.001, {-10, 0}),
-       cylinder(gp_Ax3(gp_Pnt(0, 0, -2.2058), gp_Dir(0, 0, -1)), 9, {-5, 5}), 2, 0},
+       cylinder(gp_Ax3(gp_Pnt(0, 0, -2.2058), gp_Dir(0, 0, -1)), 9, {-5, 5}), 1, 0.5368099717},
       {"bug370",
        face(new Geom_SphericalSurface(gp_Ax3(O, gp::DZ()), 1), {0, kTurn}, {-kPi / 2, kPi / 2}),
        plane(x0, {0, 1.000001}, {-1, 1e-6}), 1, kPi / 2 + 1e-6, 2e-6},
