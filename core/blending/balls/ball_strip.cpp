@@ -24,7 +24,7 @@ constexpr int kSamples = 8;  // of a span
 constexpr std::array kChecks{0.03, 0.2, 0.4, 0.6, 0.8, 0.97};
 constexpr std::array kSectionChecks{0.125, 0.25, 0.5, 0.75, 0.875};
 constexpr double kShare = 0.7;  // of what is wanted, that checks may find
-constexpr double kWide = -0.5;  // cosine of a section's angle, below: halved
+constexpr double kWide = -0.5;  // cosine of a section's angle, below: degree 4
 // Halving a span divides what it is off by 2^5 to 2^6 in the end, and by less while it is long. A
 // span that is off by more than two halvings can mend even so is halved twice at once.
 constexpr double kTwice = 0x1p16;
@@ -59,7 +59,7 @@ struct Measured {
 
 struct KnownSpans {
   std::vector<FitSpan> spans;
-  bool halved = false;  // their sections are
+  bool wide = false;  // their sections are
 };
 
 class StripFitter {
@@ -69,7 +69,7 @@ class StripFitter {
               KnownSpans known);
 
   BallStrip strip();
-  KnownSpans spans() && { return {std::move(spans_), form_.halved}; }
+  KnownSpans spans() && { return {std::move(spans_), form_.wide}; }
 
  private:
   std::size_t columns() const { return 4 * static_cast<std::size_t>(form_.rows()) + 4; }
@@ -113,10 +113,10 @@ StripFitter::StripFitter(const BallTrack& track, const Interval& range,
     const CharacteristicCircle c = characteristic_circle(track.at(end));
     least = std::min(least, dot(c.to_contact[0], c.to_contact[1]));
   }
-  form_.halved = options.section == SectionKind::Circle && least < kWide;
+  form_.wide = options.section == SectionKind::Circle && least < kWide;
   const Interval domain = track.domain();
   closed_ = track.closed() && range.from == domain.from && range.to == domain.to;
-  if (known.halved != form_.halved) known.spans.clear();
+  if (known.wide != form_.wide) known.spans.clear();
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
     begin_between({breaks[i], breaks[i + 1]}, known.spans);
   if (!known.spans.empty()) level();
@@ -321,15 +321,15 @@ bool StripFitter::refine() {
 }
 
 void StripFitter::write_surface(BallStrip& strip) const {
-  const int rows = form_.rows(), degree = form_.degree(), pieces = (rows - 1) / degree;
+  const int rows = form_.rows(), degree = form_.degree();
   BezierSurface& surface = strip.surface;
   surface.u_knots = spline_.knots;
-  surface.v_knots = pieces == 2 ? std::vector<double>{0, 0.5, 1} : std::vector<double>{0, 1};
+  surface.v_knots = {0, 1};
   surface.closed_u = closed_;
   surface.rational = form_.kind == SectionKind::Circle || form_.kind == SectionKind::Conic;
   const int spans = static_cast<int>(spline_.knots.size()) - 1;
   surface.patches = Grid<RationalBezierPatch>(
-      spans, pieces, RationalBezierPatch{Grid<Vec4>(kRowDegree + 1, degree + 1)});
+      spans, 1, RationalBezierPatch{Grid<Vec4>(kRowDegree + 1, degree + 1)});
   const auto point_of = [&](const std::vector<double>& from, std::size_t pole, int row) {
     Vec4 p;
     for (int k = 0; k < 4; ++k)
@@ -339,18 +339,16 @@ void StripFitter::write_surface(BallStrip& strip) const {
   };
   for (int i = 0; i < spans; ++i) {
     const std::vector<double> bezier = bezier_points(spline_, static_cast<std::size_t>(i));
-    for (int piece = 0; piece < pieces; ++piece)
-      for (int p = 0; p <= kRowDegree; ++p)
-        for (int q = 0; q <= degree; ++q) {
-          Grid<Vec4>& points = surface.patches(i, piece).points;
-          points(p, q) = point_of(bezier, static_cast<std::size_t>(p), piece * degree + q);
-          // Neighbours share their borders bit for bit.
-          if (p == 0 && i > 0) points(p, q) = surface.patches(i - 1, piece).points(kRowDegree, q);
-        }
+    for (int p = 0; p <= kRowDegree; ++p)
+      for (int q = 0; q <= degree; ++q) {
+        Grid<Vec4>& points = surface.patches(i, 0).points;
+        points(p, q) = point_of(bezier, static_cast<std::size_t>(p), q);
+        // Neighbours share their borders bit for bit.
+        if (p == 0 && i > 0) points(p, q) = surface.patches(i - 1, 0).points(kRowDegree, q);
+      }
   }
   strip.knots = spline_.knots;
   strip.multiplicities = spline_.multiplicities;
-  strip.v_degree = degree;
   const auto count = spline_.pole_count();
   strip.poles = Grid<Vec4>(static_cast<int>(count), rows);
   for (std::size_t i = 0; i < count; ++i)

@@ -71,8 +71,8 @@ struct AnalyticStrip {
 };
 
 struct BallStrip {
-  /// u along the spine, by the track's parameter; v in [0, 1] from contact 1 to contact 2. Two
-  /// spans in v where some section is larger than 120 degrees.
+  /// u along the spine, by the track's parameter; v in [0, 1] from contact 1 to contact 2. Circles
+  /// are of degree 2 in v, and of degree 4 where some section is larger than 120 degrees.
   BezierSurface surface;
 
   /// The same surface's homogeneous rows along u as one spline: degree 5, control points of row j
@@ -80,7 +80,6 @@ struct BallStrip {
   std::vector<double> knots;
   std::vector<int> multiplicities;
   Grid<Vec4> poles;
-  int v_degree = 2;
 
   std::array<StripContactCurve, 2> contacts;
   double section_error = 0;  ///< largest distance from the true arc at samples, model units

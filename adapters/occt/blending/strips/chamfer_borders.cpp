@@ -113,7 +113,10 @@ class BorderFit {
                             std::vector<Piece>& pieces) const;
   BorderRow rate_before(std::size_t joint) const;
   BorderRow rate_after(std::size_t joint) const;
+  BorderRow turn(std::size_t joint) const { return rate_after(joint) - rate_before(joint); }
   bool is_smooth(std::size_t joint) const;
+  bool halve_beside(std::size_t joint);
+  void halve_rough();
   void make_smooth(std::size_t joint);
 
   const Chamfering& of_;
@@ -224,14 +227,46 @@ BorderRow BorderFit::rate_after(std::size_t joint) const {
   return (kBorderDegree / length(piece.range)) * (piece.points[1] - piece.points[0]);
 }
 
+double bend_of(const BorderRow& turn) {
+  return std::max(norm(side_point(turn, 0)), norm(side_point(turn, 1)));
+}
+
 // Whether one tangent for both pieces moves them by less than they may be off.
 bool BorderFit::is_smooth(std::size_t joint) const {
   constexpr double kMove =
       0.4096 / kBorderDegree;  // of a piece's width: by its second Bezier point
-  const BorderRow turn = rate_after(joint) - rate_before(joint);
-  const double bend = std::max(norm(side_point(turn, 0)), norm(side_point(turn, 1)));
+  const double bend = bend_of(turn(joint));
   const double width = std::max(length(pieces_[joint - 1].range), length(pieces_[joint].range));
   return 0.5 * bend * kMove * width <= kFitError;
+}
+
+// Puts halves in the place of both pieces at a joint. False, and nothing changes, if some have
+// none.
+bool BorderFit::halve_beside(std::size_t joint) {
+  std::vector<Piece> halves;
+  for (const std::size_t of : {joint - 1, joint}) {
+    const Piece& whole = pieces_[of];
+    const double middle = at(whole.range, 0.5);
+    const auto low = piece({whole.range.from, middle}, whole.points.front());
+    const auto high = low ? piece({middle, whole.range.to}, low->points.back()) : std::nullopt;
+    if (!high) return false;
+    halves.insert(halves.end(), {*low, *high});
+  }
+  const auto first = pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(joint) - 1,
+                                   pieces_.begin() + static_cast<std::ptrdiff_t>(joint) + 1);
+  pieces_.insert(first, halves.begin(), halves.end());
+  return true;
+}
+
+// One tangent moves shorter pieces by less. A border that turns by more than edges that are one is
+// left with its kink.
+void BorderFit::halve_rough() {
+  for (std::size_t joint = 1; joint < pieces_.size();) {
+    const BorderRow rate = rate_before(joint);
+    const double speed = std::min(norm(side_point(rate, 0)), norm(side_point(rate, 1)));
+    const bool is_kink = !(bend_of(turn(joint)) <= kSmoothJoint * speed);
+    if (is_smooth(joint) || is_kink || !halve_beside(joint)) ++joint;
+  }
 }
 
 void BorderFit::make_smooth(std::size_t joint) {
@@ -243,6 +278,7 @@ void BorderFit::make_smooth(std::size_t joint) {
 }
 
 FittedBorders BorderFit::borders() {
+  halve_rough();
   std::vector<double> knots{pieces_.front().range.from};
   std::vector<int> multiplicities{kBorderDegree + 1};
   std::vector<BorderRow> points{pieces_.front().points[0]};

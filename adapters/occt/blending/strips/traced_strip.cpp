@@ -62,16 +62,14 @@ Handle(Geom_BSplineSurface) surface_of(const BallStrip& strip) {
     u_knots(i) = strip.knots[static_cast<std::size_t>(i) - 1];
     u_multiplicities(i) = strip.multiplicities[static_cast<std::size_t>(i) - 1];
   }
-  const int spans = (columns - 1) / strip.v_degree;
-  TColStd_Array1OfReal v_knots(1, spans + 1);
-  TColStd_Array1OfInteger v_multiplicities(1, spans + 1);
-  for (int i = 1; i <= spans + 1; ++i) {
-    v_knots(i) = static_cast<double>(i - 1) / spans;
-    v_multiplicities(i) = i == 1 || i == spans + 1 ? strip.v_degree + 1 : strip.v_degree;
-  }
+  TColStd_Array1OfReal v_knots(1, 2);
+  v_knots(1) = 0;
+  v_knots(2) = 1;
+  TColStd_Array1OfInteger v_multiplicities(1, 2);
+  v_multiplicities.Init(columns);
   constexpr int kDegree = 5;  // along the spine, as BallStrip has it
   return new Geom_BSplineSurface(poles, weights, u_knots, v_knots, u_multiplicities,
-                                 v_multiplicities, kDegree, strip.v_degree);
+                                 v_multiplicities, kDegree, columns - 1);
 }
 
 // The centres as a curve with the strip's parameter.

@@ -15,11 +15,34 @@ constexpr double kOpposite = 1e-12;  // |e_1 + e_2| below: the arc's middle is a
 
 Vec4 weighted(const Vec3& x, double w) { return {w * x[0], w * x[1], w * x[2], w}; }
 
-// Weight and tangents' meeting point of the arc between two unit vectors.
-Vec4 arc_middle(const CharacteristicCircle& circle, const Vec3& from, const Vec3& to) {
+// Weight and tangents' meeting point of the arc.
+Vec4 arc_middle(const CharacteristicCircle& circle) {
+  const auto& [from, to] = circle.to_contact;
   const double cosine = dot(from, to);
   return weighted(circle.centre + (from + to) * (circle.radius / (1 + cosine)),
                   std::sqrt(0.5 * (1 + cosine)));
+}
+
+// The arc of angle 4 a as c^2 / |c|^2 in the complex plane, where c has the control points 1,
+// w e^(i a) and e^(2 i a). It is one polynomial span with positive weights also at 180 degrees, and
+// w makes its speed at the ends that in the middle.
+//
+// middle   unit vector from the centre to the arc's middle
+std::array<Vec4, 5> wide_arc(const CharacteristicCircle& circle, const Vec3& middle) {
+  const Vec3& x = circle.to_contact[0];
+  const double cosine = dot(x, middle);
+  const Vec3 y = unit(middle - x * cosine);
+  const double a = 0.5 * std::atan2(norm(cross(x, middle)), cosine);
+  const double w = 0.5 * (std::sqrt(std::cos(a) * std::cos(a) + 8) - std::cos(a));
+  const double beside = w, inner = (1 + 2 * w * w) / 3;  // the absolute control points of c^2
+  const auto row = [&](double turn, double size, double weight) {
+    const Vec3 off = x * std::cos(turn) + y * std::sin(turn);
+    const Vec3 point = circle.centre * weight + off * (circle.radius * size);
+    return Vec4{point[0], point[1], point[2], weight};
+  };
+  const double near = w * std::cos(a), half = (std::cos(2 * a) + 2 * w * w) / 3;  // of |c|^2
+  return {row(0, 1, 1), row(a, beside, near), row(2 * a, inner, half), row(3 * a, beside, near),
+          row(4 * a, 1, 1)};
 }
 
 // The curvature of a support across the contact in a unit direction of its tangent plane, positive
@@ -75,7 +98,7 @@ CharacteristicCircle characteristic_circle(const BallPoint& ball) {
 
 int SectionForm::rows() const {
   switch (kind) {
-    case SectionKind::Circle: return halved ? 5 : 3;
+    case SectionKind::Circle: return wide ? 5 : 3;
     case SectionKind::Conic: return 3;
     case SectionKind::Curvature: return 6;
     case SectionKind::Chamfer: return 2;
@@ -83,10 +106,10 @@ int SectionForm::rows() const {
   return 0;
 }
 
-int SectionForm::degree() const { return halved ? 2 : rows() - 1; }
+int SectionForm::degree() const { return rows() - 1; }
 
 bool SectionForm::has_weight(int row) const {
-  return (kind == SectionKind::Circle || kind == SectionKind::Conic) && row % 2 == 1;
+  return (kind == SectionKind::Circle || kind == SectionKind::Conic) && row > 0 && row < degree();
 }
 
 std::array<Vec4, kMaxRows> section_rows(const BallTrack& track, const BallPoint& ball,
@@ -102,31 +125,23 @@ std::array<Vec4, kMaxRows> section_rows(const BallTrack& track, const BallPoint&
   rows[0] = weighted(ball.contacts[0].point, 1);
   rows[last] = weighted(ball.contacts[1].point, 1);
   if (form.kind == SectionKind::Chamfer) return rows;
-  if (!form.halved) {
-    rows[1] = arc_middle(circle, e1, e2);
-    // The weight rho / (1 - rho) moves the shoulder to rho of the way to the tangents' meeting.
-    if (form.kind == SectionKind::Conic)
-      rows[1] = weighted(projected(rows[1]), form.rho / (1 - form.rho));
+  if (form.wide) {
+    const Vec3 sum = e1 + e2;
+    const std::array<Vec4, 5> arc =
+        wide_arc(circle, norm(sum) > kOpposite ? unit(sum) : unit(cross(ball.centre_rate, e1)));
+    std::copy_n(arc.begin() + 1, 3, rows.begin() + 1);
     return rows;
   }
-  const Vec3 sum = e1 + e2;
-  const Vec3 middle = norm(sum) > kOpposite ? unit(sum) : unit(cross(ball.centre_rate, e1));
-  rows[1] = arc_middle(circle, e1, middle);
-  rows[2] = weighted(circle.centre + circle.radius * middle, 1);
-  rows[3] = arc_middle(circle, middle, e2);
+  rows[1] = arc_middle(circle);
+  // The weight rho / (1 - rho) moves the shoulder to rho of the way to the tangents' meeting.
+  if (form.kind == SectionKind::Conic)
+    rows[1] = weighted(projected(rows[1]), form.rho / (1 - form.rho));
   return rows;
 }
 
 Vec3 section_point(const std::array<Vec4, kMaxRows>& rows, const SectionForm& form, double v) {
-  std::size_t from = 0;
-  if (form.halved) {
-    from = v < 0.5 ? 0 : 2;
-    v = v < 0.5 ? 2 * v : 2 * v - 1;
-  }
-  std::array<Vec4, kMaxRows> p{};
-  const auto degree = static_cast<std::size_t>(form.degree());
-  std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(from), degree + 1, p.begin());
-  for (std::size_t count = degree; count > 0; --count)
+  std::array<Vec4, kMaxRows> p = rows;
+  for (auto count = static_cast<std::size_t>(form.degree()); count > 0; --count)
     for (std::size_t i = 0; i < count; ++i) p[i] = (1 - v) * p[i] + v * p[i + 1];
   return projected(p[0]);
 }

@@ -26,14 +26,14 @@ inline constexpr int kMaxRows = 6;
 struct SectionForm {
   SectionKind kind = SectionKind::Circle;
   double rho = 0.5;
-  bool halved = false;  ///< an arc as two, for large angles
+  bool wide = false;  ///< an arc of degree 4, for large angles
 
   int rows() const;
   int degree() const;              ///< in v
   bool has_weight(int row) const;  ///< other than 1
 };
 
-/// Control points from contact 1 to contact 2; of a halved arc 5, with the middle one shared.
+/// Control points from contact 1 to contact 2.
 /// throws   InvalidInput as `characteristic_circle`
 std::array<Vec4, kMaxRows> section_rows(const BallTrack& track, const BallPoint& ball,
                                         const SectionForm& form);
