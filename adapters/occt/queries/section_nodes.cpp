@@ -192,7 +192,8 @@ int SectionNodes::end_node(std::size_t face, const Vec3& point, double reach, do
     const double gap = distance(known.point, point);
     const bool near = gap <= off + slack_[static_cast<std::size_t>(node)];
     if (near || gap <= far) {
-      if (!near) weaken("an edge is off its face by more than its tolerance");
+      if (!near)
+        weaken("a section curve ends beside an edge of its face, farther off than its tolerance");
       known.reach = std::max(known.reach, gap);
       return node;
     }

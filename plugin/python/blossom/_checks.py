@@ -447,14 +447,18 @@ _MOST_NICE = 19  # of the system's priorities
 Progress = Callable[[float], object]
 
 
-def control(options: Dict[str, Any], fuzzy: float = 0) -> _core.Control:
+def control(
+    options: Dict[str, Any], fuzzy: float = 0, own: Tuple[str, ...] = ()
+) -> _core.Control:
     """The options that all questions have in common; see the package's help.
 
     fuzzy   goes on top of the tolerance
+    own     the question's own options, to name them
     """
+    known = own + _KNOWN_OPTIONS
     for name in options:
         if name not in _KNOWN_OPTIONS:
-            raise TypeError(f"there is no option '{name}'; there are {', '.join(_KNOWN_OPTIONS)}")
+            raise TypeError(f"there is no option '{name}'; there are {', '.join(known)}")
     cancel: Optional[_core.Cancel] = options.get("cancel")
     if cancel is not None and not isinstance(cancel, _core.Cancel):
         raise TypeError(f"cancel: a blossom.Cancel is wanted, got {kind(cancel)}")

@@ -48,10 +48,9 @@ class Operations(_results.MadeShape):
         """
         if isinstance(keep, bool) or not isinstance(keep, (str, int)):
             raise TypeError(f"keep: a word or a number is wanted, got {_checks.kind(keep)}")
+        control = _checks.control(options, own=("keep", "planes"))
         cutters, listed = cutters_of("trim", tools, planes)
-        return Trim(
-            _core.trim(self._core_model(), cutters, listed, str(keep), _checks.control(options))
-        )
+        return Trim(_core.trim(self._core_model(), cutters, listed, str(keep), control))
 
     def solid(
         self,
@@ -71,8 +70,9 @@ class Operations(_results.MadeShape):
         fuzzy       what is up to so much farther apart than the tolerance counts as one
         """
         wanted = _checks.word(operation, "operation", _checks.OPERATIONS)
+        more = _checks.not_negative(fuzzy, "fuzzy")
+        control = _checks.control(options, more, own=("planes", "fuzzy"))
         cutters, listed = cutters_of("solid", tools, planes)
-        control = _checks.control(options, _checks.not_negative(fuzzy, "fuzzy"))
         return Solid(_core.solid(wanted, self._core_model(), cutters, listed, control))
 
     def fillet(

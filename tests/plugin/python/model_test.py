@@ -149,6 +149,8 @@ class KnownFigures(unittest.TestCase):
         self.assertEqual(self.block.solid("cut", [], planes=[floor]).volume, 60 * 40 * 5)
         with self.assertRaisesRegex(TypeError, "tool 2: .* is wanted, got int"):
             self.block.solid("cut", [DRILL, 7])
+        with self.assertRaisesRegex(TypeError, "no option 'plane'; there are planes, fuzzy, tol"):
+            self.block.solid("cut", plane=floor)
         with self.assertRaisesRegex(ValueError, "needs a tool"):
             self.block.trim([], keep="all")
 

@@ -268,7 +268,8 @@ void add_trim(CLI::App& app, int& exit_code) {
           "--solid", options->solid,
           "combine closed solids, sheets or wires instead: cut, common, fuse or split (cut and "
           "common side by "
-          "side), with all tools; each tool, sheet or plane splits all pieces")
+          "side), with all tools: common is what lies in all of them; each tool, sheet or plane "
+          "splits all pieces")
       ->type_name("OPERATION");
   command
       ->add_option("--fuzzy", options->fuzzy,
