@@ -70,6 +70,13 @@ struct ReadOptions {
   /// Told each step before it begins: "transferring the shapes of part.step". What it throws ends
   /// the reading.
   std::function<void(const char* step)> step = {};
+
+  /// Of a file that another one names for its parts: it is left out, as reading it is known to end
+  /// programs.
+  bool left_out = false;
+
+  /// How to read such a file, which is asked before each; as the one that names it without this.
+  std::function<ReadOptions(const std::filesystem::path& file)> other = {};
 };
 
 /// Processor seconds that Open CASCADE may take to read a file, or to check a face of it. The

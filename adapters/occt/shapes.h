@@ -177,7 +177,7 @@ class Model {
                       CommonFaces common = CommonFaces::Copy);
 
  private:
-  friend Model read_model(const std::filesystem::path& file, const ReadOptions& options);
+  friend class ModelFiles;
   friend std::vector<WriteNote> write_model(const Model& model, const std::filesystem::path& file,
                                             const std::function<void()>& stop);
   friend Contents& contents_of(const Model& model);
@@ -192,7 +192,8 @@ class Model {
 /// A STEP or IGES file's length unit is kept for writing. What of a damaged file cannot be read is
 /// left out and listed in `reading()`: entities, faces whose surface, curves or points have numbers
 /// that are none or weights that are not positive, and what comes after the place where a file is
-/// cut off. Nothing is repaired before `Model::repair`.
+/// cut off. Nothing is repaired before `Model::repair`. Parts that a STEP file has in other files
+/// are read from its own folder; see ReadOptions::other.
 /// throws   BadModel if the file is missing, no regular file, empty, of no known format, or holds
 ///          nothing that can be used; the message names the file, the step and the cause
 /// Safe to call from several threads; they wait for each other.

@@ -7,10 +7,8 @@
 #include <string>
 
 #include <Interface_Static.hxx>
-#include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
@@ -18,6 +16,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/documents/beside_shapes.h"
 #include "adapters/occt/documents/files.h"
+#include "adapters/occt/documents/other_files.h"
 
 namespace blossom::occt {
 namespace {
@@ -48,20 +47,6 @@ void take_over(STEPCAFControl_Reader& reader, const Handle(XSControl_WorkSession
   session->SetMapReader(made);
 }
 
-/// Open CASCADE says nothing of parts that it does not find in their files.
-void list_lost_files(const STEPCAFControl_Reader& reader, ReadingReport& report) {
-  for (auto it = reader.ExternFiles().cbegin(); it != reader.ExternFiles().cend(); ++it) {
-    const Handle(STEPCAFControl_ExternFile)& file = *it;
-    if (file->GetLoadStatus() == IFSelect_RetDone && file->GetTransferStatus()) continue;
-    const Handle(TCollection_HAsciiString) name = file->GetName();
-    report.add({"part",
-                "nothing can be read from its file",
-                true,
-                1,
-                {name.IsNull() ? "without a name" : name->ToCString()}});
-  }
-}
-
 }  // namespace
 
 void add_step(const Handle(Standard_Transient) & session, Reading& reading) {
@@ -75,9 +60,10 @@ void add_step(const Handle(Standard_Transient) & session, Reading& reading) {
   add_with_names(reading, [&](Document& document) {
     Handle(TDocStd_Document) target = document.handle();
     const bool done = reader.Transfer(target);
-    list_lost_files(reader, reading.report);
+    put_other_files(reader, reading, document);
     return done;
   });
+  if (!reading.contents.document) list_others(reading);
 }
 
 void add_with_names(Reading& reading, const std::function<bool(Document&)>& transfer) {

@@ -8,7 +8,9 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include <Standard_Transient.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/exchange/contents.h"
@@ -43,16 +45,24 @@ inline constexpr const char* kNamesNotRead = "reading them fails, or is not want
 inline constexpr const char* kBorderLost =
     "Open CASCADE cannot make it, and the face goes on where it should end";
 
+/// A file beside a STEP file, which has a part of it.
+struct OtherFile {
+  Handle(Standard_Transient) product;  ///< in the session of the STEP file
+  std::filesystem::path file;
+  std::shared_ptr<Model> model = {};  ///< with a document; null if it cannot be read
+};
+
 /// A file on its way into a model.
 struct Reading {
   Contents& contents;
   const std::filesystem::path& file;
   const ReadOptions& options;
   ReadingReport& report;
-  std::string text = {};  ///< of the file, unpacked
-  std::string step = {};  ///< what is being done
-  bool asking = false;    ///< the caller is told a step: what that throws is no fault of ours
-  bool has_other_files = false;  ///< parts of it are in files that this one names
+  std::string text = {};     ///< of the file, unpacked
+  std::string step = {};     ///< what is being done
+  bool asking = false;       ///< the caller is told a step: what that throws is no fault of ours
+  bool names_files = false;  ///< for parts of it
+  std::vector<OtherFile> others = {};  ///< that are there
 
   /// Says what is done next.
   void begin(const char* doing);

@@ -13,6 +13,7 @@
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/exchange/file_text.h"
 #include "adapters/occt/exchange/kept_folder.h"
+#include "adapters/occt/exchange/model_files.h"
 #include "adapters/occt/exchange/modules.h"
 #include "adapters/occt/exchange/numbers.h"
 
@@ -56,9 +57,11 @@ void require_shape(const TopoDS_Shape& shape, const ReadingReport& report) {
 }
 
 /// A document takes over where plain parts are not enough.
-void read_step_file(Reading& reading) {
+void read_step_file(Reading& reading, ModelFiles& files) {
   const Handle(Standard_Transient) session = step_module().read(reading);
-  if (!session.IsNull()) document_module().add_step(session, reading);
+  if (session.IsNull()) return;
+  files.read_others(reading);
+  document_module().add_step(session, reading);
 }
 
 void leave_out_bad_numbers(Format format, Reading& reading) {
@@ -71,10 +74,10 @@ void leave_out_bad_numbers(Format format, Reading& reading) {
     leave_out_bad_shapes(reading.contents.parts, source, reading.report);
 }
 
-void read_format(Format format, Reading& reading) {
+void read_format(Format format, Reading& reading, ModelFiles& files) {
   const Listening listening;
   switch (format) {
-    case Format::Step: return read_step_file(reading);
+    case Format::Step: return read_step_file(reading, files);
     case Format::Iges: return document_module().read_iges(reading);
     case Format::Brep: return read_brep(reading);
     case Format::Glb: break;  // no content is taken for it
@@ -82,7 +85,7 @@ void read_format(Format format, Reading& reading) {
 }
 
 /// A model that is kept was read like this before.
-void read_into(Reading& reading, StatedTolerances& stated) {
+void read_into(Reading& reading, StatedTolerances& stated, ModelFiles& files) {
   reading.begin("opening");
   FileText content = file_text(reading.file);
   reading.text = std::move(content.text);
@@ -92,25 +95,25 @@ void read_into(Reading& reading, StatedTolerances& stated) {
   for (const std::string& other : content.others)
     reading.report.add(
         {"model", "of an archive the first one alone is read, " + content.name, true, 1, {other}});
-  read_format(content.format, reading);
+  read_format(content.format, reading, files);
   reading.begin("checking the numbers");
   leave_out_bad_numbers(content.format, reading);
   reading.contents.refresh();
   require_shape(reading.contents.shape, reading.report);
   // Only BREP files state tolerances; others have those that Open CASCADE's readers find.
   if (content.format != Format::Brep) stated = StatedTolerances::Raised;
-  if (!content.cut && !reading.has_other_files) kept.keep(reading, stated);
+  if (!content.cut && !reading.names_files) kept.keep(reading, stated);
 }
 
 }  // namespace
 
-Model read_model(const std::filesystem::path& file, const ReadOptions& options) {
+Model ModelFiles::read(const std::filesystem::path& file, const ReadOptions& options) {
   const std::lock_guard guard(exchange_lock());
   Model model;
   Model::Impl& impl = *model.impl_;
   Reading reading{impl, file, options, impl.reading};
   try {
-    read_into(reading, impl.stated);
+    read_into(reading, impl.stated, *this);
   } catch (const BadModel& error) {
     throw BadModel(file.string() + ": " + error.what());
   } catch (const Failure&) {
@@ -121,6 +124,10 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
   }
   impl.file = file;
   return model;
+}
+
+Model read_model(const std::filesystem::path& file, const ReadOptions& options) {
+  return ModelFiles().read(file, options);
 }
 
 }  // namespace blossom::occt

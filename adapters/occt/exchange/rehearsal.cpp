@@ -21,6 +21,7 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -312,6 +313,47 @@ rlim_t whole_seconds(double seconds) { return static_cast<rlim_t>(std::ceil(seco
                  " s of processor time, which nothing sound of its size does");
 }
 
+constexpr std::string_view kReadingParts = "reading parts from ";
+
+/// What a child is not to do, since another one did not come to its end there.
+struct Avoided {
+  bool names = false, damaged = false;
+  std::set<std::string> others{};  ///< files that the first one names
+
+  /// Whether the child at that step can do without it.
+  bool add(const std::string& step) {
+    if (step.starts_with(kReadingNames)) return !std::exchange(names, true);
+    if (step.starts_with(kMakingDamaged)) return !std::exchange(damaged, true);
+    return step.starts_with(kReadingParts) &&
+           others.insert(step.substr(kReadingParts.size())).second;
+  }
+};
+
+void allow_more_processor_time(rlim_t seconds) {
+  rlimit bounds{};
+  if (getrlimit(RLIMIT_CPU, &bounds) != 0 || bounds.rlim_cur == RLIM_INFINITY) return;
+  bounds.rlim_cur = std::min(bounds.rlim_max, bounds.rlim_cur + seconds);
+  setrlimit(RLIMIT_CPU, &bounds);
+}
+
+/// Options without what is to be avoided.
+///
+/// step   told each step of the file and, of those that it names, which is read; not if empty
+ReadOptions without(const Avoided& avoided, ReadOptions options, const Step& step) {
+  options.names = options.names && !avoided.names;
+  options.damaged = options.damaged && !avoided.damaged;
+  options.other = [=, other = options.other](const std::filesystem::path& file) {
+    ReadOptions its = other ? other(file) : options;
+    its.left_out = avoided.others.contains(file.string());
+    if (!step) return its;
+    allow_more_processor_time(whole_seconds(reading_allowance(file)));
+    its.step = [=](const char*) { step((std::string(kReadingParts) + file.string()).c_str()); };
+    return its;
+  };
+  if (step) options.step = step;
+  return options;
+}
+
 }  // namespace
 
 Model read_model_in_child(const std::filesystem::path& file, const ReadOptions& options,
@@ -321,15 +363,15 @@ Model read_model_in_child(const std::filesystem::path& file, const ReadOptions& 
   wanted.step = [&stop](const char*) {
     if (stop) stop();
   };
+  Avoided avoided;
   while (true) {
     std::optional<Model> model;
-    ReadOptions tried = wanted;
     const auto read = [&](const Step& step) {
-      tried.step = [&](const char* doing) {
+      const Step told = [&](const char* doing) {
         step(doing);
         if (options.step) options.step(doing);
       };
-      model = read_model(file, tried);
+      model = read_model(file, without(avoided, wanted, told));
     };
     const Rehearsal done =
         rehearse({read, [&model] { return ModelBytes::of(*model); }}, seconds, stop);
@@ -338,11 +380,9 @@ Model read_model_in_child(const std::filesystem::path& file, const ReadOptions& 
         return *std::move(taken);
     if (done.handed_over || done.finished) {
       make_sure_of(done.memory);
-      return read_model(file, wanted);
+      return read_model(file, without(avoided, wanted, {}));
     }
-    if (done.step.starts_with(kReadingNames) && std::exchange(wanted.names, false)) continue;
-    if (done.step.starts_with(kMakingDamaged) && std::exchange(wanted.damaged, false)) continue;
-    refuse_unfinished(file.string(), done, seconds);
+    if (!avoided.add(done.step)) refuse_unfinished(file.string(), done, seconds);
   }
 }
 

@@ -41,13 +41,42 @@ void tell(const std::filesystem::path& file, const occt::ReadingReport& report) 
     detail((loss.of_shape ? "  shape: " : "  ") + loss.text());
 }
 
+std::string parts_of(const std::string& file) { return "reading parts from " + file; }
+
 /// Tells which step of reading begins. Where faces of damaged entities never come to an end, all is
 /// read again without them: both have the time of one.
-void enter_step(const std::string& file, double allowance, std::string_view step) {
+///
+/// named   by another file, which has parts without this one
+void enter_step(const std::string& file, double allowance, std::string_view step, bool named) {
   const bool names = step.starts_with(occt::kReadingNames);
   const bool damaged = step.starts_with(occt::kMakingDamaged);
-  enter(names || damaged ? Phase::Optional : Phase::Reading, file, std::string(step));
+  if (names || damaged)
+    enter(Phase::Optional, file, std::string(step));
+  else if (named)
+    enter(Phase::Optional, file, parts_of(file));
+  else
+    enter(Phase::Reading, file, std::string(step));
   if (damaged) allow_processor_time(allowance / 2);
+}
+
+/// Of a file of the command line, or of one that such a file names: what ends the program is left
+/// out when the work begins again, names before shapes, and of these files all.
+///
+/// after   processor seconds for what names the file, which comes after it; 0 if nothing names it
+occt::ReadOptions options_for(const std::filesystem::path& file, double after = 0) {
+  const std::string name = file.string();
+  const double allowance = occt::reading_allowance(file);
+  const bool named = after > 0;
+  allow_processor_time(allowance + after);
+  occt::ReadOptions options{.names = !has_failed(occt::kReadingNames + (" of " + name)),
+                            .looks = reading_policy().looks,
+                            .damaged = !has_failed(occt::kMakingDamaged + (" of " + name))};
+  options.left_out = named && has_failed(parts_of(name));
+  options.other = [=](const std::filesystem::path& other) {
+    return options_for(other, allowance + after);
+  };
+  options.step = [=](const char* step) { enter_step(name, allowance, step, named); };
+  return options;
 }
 
 }  // namespace
@@ -62,13 +91,7 @@ ReadingPolicy& reading_policy() {
 occt::Model read_and_report(const std::filesystem::path& file) {
   const std::string name = file.string();
   enter(Phase::Reading, name);
-  const double allowance = occt::reading_allowance(file);
-  allow_processor_time(allowance);
-  occt::ReadOptions options{.names = !has_failed(occt::kReadingNames + (" of " + name)),
-                            .looks = reading_policy().looks,
-                            .damaged = !has_failed(occt::kMakingDamaged + (" of " + name))};
-  options.step = [&](const char* step) { enter_step(name, allowance, step); };
-  occt::Model model = occt::read_model(file, options);
+  occt::Model model = occt::read_model(file, options_for(file));
   enter(Phase::Working, "working on " + name);
   const occt::ReadingReport& report = model.reading();
   if (reading_policy().strict && report.grade() == occt::ReadingGrade::ShapesLost)

@@ -113,9 +113,9 @@ Handle(Standard_Transient) read_step(Reading& reading) {
     parts.push_back(
         {turned.mended.IsNull() ? reader.Shape(i) : turned.mended->Apply(reader.Shape(i))});
 
-  const bool follows = keep_to_own_folder(reader.WS(), reading);
+  take_other_files(reader.WS(), reading);
   if (reading.options.names &&
-      (follows || reading.options.looks || !are_plain(parts, *model, made)))
+      (!reading.others.empty() || reading.options.looks || !are_plain(parts, *model, made)))
     return reader.WS();
   take_names(reading, *model, made);
   return {};

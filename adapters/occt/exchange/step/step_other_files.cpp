@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
-#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
@@ -29,24 +27,36 @@
 namespace blossom::occt {
 namespace {
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
+bool same_letters(const std::string& a, const std::string& b) {
+  return std::ranges::equal(
+      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// Why a file is not followed; nothing if it is.
-std::string why_left(const std::filesystem::path& folder, const std::string& name) {
-  if (name.find_first_of("/\\") != std::string::npos || name == "." || name == "..")
-    return "its file would be outside of the model's folder";
-  const std::filesystem::path file = folder / name;
+/// The file of that name in a folder. CAD systems name files with the folders that they had there,
+/// and most systems take capital letters for small ones: such a name means the file, too, if it
+/// means no other.
+///
+/// returns  empty if there is none
+std::filesystem::path beside(const std::filesystem::path& folder, const std::string& name) {
+  const std::string last = name.substr(name.find_last_of("/\\") + 1);
+  if (last.empty() || last == "." || last == "..") return {};
   std::error_code none;
-  if (!std::filesystem::exists(file, none)) return "its file is not beside the model";
+  if (std::filesystem::exists(folder / last, none)) return folder / last;
+  std::vector<std::filesystem::path> alike;
+  for (auto it = std::filesystem::directory_iterator(folder, none);
+       it != std::filesystem::directory_iterator(); it.increment(none))
+    if (same_letters(it->path().filename().string(), last)) alike.push_back(it->path());
+  return alike.size() == 1 ? alike.front() : std::filesystem::path();
+}
+
+/// Why a file is not read; nothing if it is.
+std::string why_left(const std::string& name, const std::filesystem::path& file) {
+  if (file.empty())
+    return name.find_first_of("/\\") != std::string::npos || name == "." || name == ".."
+               ? "its file would be outside of the model's folder"
+               : "its file is not beside the model";
+  std::error_code none;
   if (!std::filesystem::is_regular_file(file, none)) return "what it names is no regular file";
-  if (text_of(file).find("DOCUMENT_FILE") != std::string::npos)
-    return "its file names others, which are not followed";
   return {};
 }
 
@@ -91,26 +101,27 @@ void take_out(const STEPConstruct_ExternRefs& others, int number, const Interfac
 
 }  // namespace
 
-bool keep_to_own_folder(const Handle(XSControl_WorkSession) & session, Reading& reading) {
+void take_other_files(const Handle(XSControl_WorkSession) & session, Reading& reading) {
   STEPConstruct_ExternRefs others(session);
   others.LoadExternRefs();
-  bool follows = false;
   for (int i = 1; i <= others.NbExternRefs(); ++i) {
     const std::string name = name_of(others, i);
     if (name.empty()) continue;
     if (!has_own_shape(session, others.ProdDef(i))) {
-      reading.has_other_files = true;
+      reading.names_files = true;
+      const std::filesystem::path folder = reading.file.parent_path();
+      const std::filesystem::path file = beside(folder.empty() ? "." : folder, name);
       const std::string cause = reading.options.names
-                                    ? why_left(reading.file.parent_path(), name)
+                                    ? why_left(name, file)
                                     : "its file is followed together with names and colours alone";
-      follows = follows || cause.empty();
-      if (cause.empty()) continue;
-      reading.report.add({"part", cause, true, 1, {name}});
+      if (cause.empty())
+        reading.others.push_back({others.ProdDef(i), file});
+      else
+        reading.report.add({"part", cause, true, 1, {name}});
     }
     take_out(others, i, session->Graph());
     if (!name_of(others, i).empty()) refuse("has a part in another file", reading.report);
   }
-  return follows;
 }
 
 }  // namespace blossom::occt

@@ -11,13 +11,12 @@ class XSControl_WorkSession;
 
 namespace blossom::occt {
 
-/// Open CASCADE follows every name of a file in a model, whatever it leads to. Followed are those
-/// of regular files in the model's own folder that name no others; all else is taken out of the
-/// session and listed as lost, unless the product has a shape in this file: then the name says
-/// where it came from.
+/// Open CASCADE follows every name of a file in a model, whatever it leads to, and wherever it
+/// happens to find such a file. All names are taken out of the session. Those of regular files in
+/// the model's own folder become others of the reading; all else is listed as lost, unless the
+/// product has a shape in this file: then the name says where it came from.
 ///
-/// returns   whether a name is left to follow
-/// throws    BadModel if one cannot be taken out
-bool keep_to_own_folder(const Handle(XSControl_WorkSession) & session, Reading& reading);
+/// throws    BadModel if a name cannot be taken out
+void take_other_files(const Handle(XSControl_WorkSession) & session, Reading& reading);
 
 }  // namespace blossom::occt

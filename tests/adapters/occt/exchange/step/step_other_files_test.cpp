@@ -97,10 +97,78 @@ TEST_F(StepInOtherFiles, WhatIsNoFileIsNotOpened) {
   expect_ball(with_box_in("none.stp"), "its file is not beside the model");
 }
 
-TEST_F(StepInOtherFiles, NamesInNamedFilesAreNotFollowed) {
-  const std::string cause = "its file names others, which are not followed";
-  expect_ball(with_box_in("main.stp"), cause);
-  expect_ball(with_box_in("changed.stp"), cause);  // itself
+TEST_F(StepInOtherFiles, NamesInNamedFilesAreFollowed) {
+  const Model model = read_model(with_box_in("main.stp"));  // which has both
+  EXPECT_EQ(model.face_count(), kFacesOfBox + 2 * kFacesOfBall);
+  EXPECT_EQ(model.reading().grade(), ReadingGrade::Whole) << model.reading().summary();
+}
+
+TEST_F(StepInOtherFiles, FilesThatNameEachOtherInACircleAreTold) {
+  expect_ball(with_box_in("changed.stp"),
+              "its file has it in itself: files name each other in a circle");
+  const std::filesystem::path changed = with_box_in("main.stp");
+  std::string text = content(folder / "main.stp");
+  const std::string before = "part_SOLID.stp";
+  for (std::size_t i = 0; (i = text.find(before, i)) != std::string::npos;)
+    text.replace(i, before.size(), "changed.stp");
+  write_content(folder / "main.stp", text);
+  const Model model = read_model(changed);
+  EXPECT_EQ(model.face_count(), 2 * kFacesOfBall);  // of both files
+  EXPECT_EQ(model.reading().grade(), ReadingGrade::ShapesLost);
+}
+
+// As CAD systems do that run elsewhere.
+TEST_F(StepInOtherFiles, FoldersAndCapitalsInNamesDoNotMatter) {
+  for (const char* name : {"C:\\work\\part_SOLID.stp", "../parts/part_SOLID.stp", "PART_solid.STP"})
+    EXPECT_EQ(read_model(with_box_in(name)).face_count(), kFacesOfBox + kFacesOfBall) << name;
+}
+
+TEST_F(StepInOtherFiles, OfNamesThatDifferInCapitalsAloneNoneIsTaken) {
+  std::filesystem::copy(folder / "part_SOLID.stp", folder / "PART_SOLID.stp");
+  expect_ball(with_box_in("part_Solid.stp"), "its file is not beside the model");
+}
+
+TEST_F(StepInOtherFiles, WhatIsLostInAFileIsTold) {
+  std::string text = content(folder / "part_SOLID.stp");
+  const std::size_t plane = text.find("PLANE(");
+  ASSERT_NE(plane, std::string::npos);
+  text.replace(plane, 5, "PLAIN");
+  write_content(folder / "part_SOLID.stp", text);
+  const Model model = read_model(folder / "main.stp");
+  EXPECT_EQ(model.face_count(), kFacesOfBox - 1 + kFacesOfBall);
+  EXPECT_EQ(model.reading().grade(), ReadingGrade::ShapesLost);
+  EXPECT_NE(model.reading().losses.front().text().find("part_SOLID.stp"), std::string::npos)
+      << model.reading().losses.front().text();
+}
+
+TEST_F(StepInOtherFiles, InstancesReferToWhatTheFileHas) {
+  const std::vector<AssemblyNode> all = read_model(with_box_in("main.stp")).assembly();
+  ASSERT_EQ(all.size(), 1u);
+  ASSERT_EQ(all[0].parts.size(), 2u);
+  EXPECT_EQ(all[0].parts[0].parts.size(), 2u);
+  EXPECT_EQ(all[0].parts[1].faces.size(), 1u);
+}
+
+TEST_F(StepInOtherFiles, AreWrittenWithTheModel) {
+  const Model model = read_model(with_box_in("main.stp"));
+  write_model(model, folder / "whole.step");
+  const Folder alone;
+  std::filesystem::copy(folder / "whole.step", alone / "whole.step");
+  const Model again = read_model(alone / "whole.step");
+  EXPECT_EQ(again.face_count(), model.face_count());
+  EXPECT_EQ(again.part_paths(), model.part_paths());
+  EXPECT_EQ(again.reading().grade(), ReadingGrade::Whole) << again.reading().summary();
+}
+
+TEST_F(StepInOtherFiles, WhatEndsAChildIsLeftOut) {
+  const Model model =
+      read_model_in_child(folder / "main.stp", {.step = [](const char* step) {
+                            if (std::string(step).find("part_SOLID.stp") != std::string::npos)
+                              std::abort();
+                          }});
+  EXPECT_EQ(model.face_count(), kFacesOfBall);
+  EXPECT_EQ(model.reading().losses.front().text(),
+            "part (part_SOLID.stp): its file cannot be read: Open CASCADE crashes, or never ends");
 }
 
 // As some CAD systems name the file that they exported.
@@ -127,7 +195,7 @@ TEST_F(StepInOtherFiles, ANameBesideAShapeIsWhereItCameFrom) {
 
 TEST_F(StepInOtherFiles, FilesThatCannotBeReadAreTold) {
   write_content(folder / "words.stp", "no model\n");
-  expect_ball(with_box_in("words.stp"), "nothing can be read from its file");
+  expect_ball(with_box_in("words.stp"), "its file is no STEP file");
 }
 
 TEST_F(StepInOtherFiles, AModelOfWhichNoPartIsThereIsRefused) {
