@@ -94,6 +94,10 @@ def intersection_that_is_empty_is_an_answer(document):
         "nothing is found, for certain",
         (valid(curves), curves.Status, curves.Curves) == (True, "complete", 0),
     )
+    claim("it has no shape that a window would complain of", curves.Shape.isNull())
+    curves.B[0][0].Shape = Part.makeBox(10, 10, 10, V(5, 5, 5))
+    document.recompute()
+    claim("it gets one", valid(curves) and len(curves.Shape.Edges) == curves.Curves > 0)
 
 
 def section_has_closed_wires(document):

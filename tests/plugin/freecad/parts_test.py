@@ -187,7 +187,7 @@ def clash_follows_containers_and_refuses_faces(document):
     claim("a face is no solid", says(found, "A: closed solids are wanted, Sheet has none"))
     found.A = [(block, "")]
     document.recompute()
-    claim("one alone has no pair", says(found, "has one part alone"))
+    claim("one alone has no pair", says(found, "Block is one solid alone"))
     found.A = []
     document.recompute()
     claim("nothing is too little", says(found, "A: solids are wanted, and there are none"))

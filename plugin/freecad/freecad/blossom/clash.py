@@ -49,6 +49,9 @@ class Clash(Feature):
 
     def inputs(self, obj):
         made = {"A": _compound(obj.A, "A")}
+        if not obj.B and len(made["A"].Solids) == 1:
+            (name, _), = _solids(obj.A, "A")
+            raise ValueError(f"A: {name} is one solid alone; choose more, or others beside it")
         if obj.B:
             made["B"] = _compound(obj.B, "B")
         return made

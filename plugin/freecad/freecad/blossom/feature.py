@@ -133,7 +133,11 @@ class Feature:
 
     def give(self, obj, answer, inputs):
         """Gives the object what was made. throws RuntimeError as `shape`"""
-        shape = _placed(self.shape(obj, answer, inputs), obj)
+        shape = self.shape(obj, answer, inputs)
+        if not shape.isNull() and shape.ShapeType == "Compound" and not shape.childShapes():
+            obj.Shape = Part.Shape()  # windows cannot show a shape that has nothing in it
+            return
+        shape = _placed(shape, obj)
         if obj.Shape.isNull() or not _same(obj.Shape, shape):
             obj.Shape = shape
         elif FreeCAD.GuiUp:  # OK after the preview: to show all anew keeps the window waiting

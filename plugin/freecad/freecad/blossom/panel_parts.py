@@ -2,6 +2,7 @@
 """The parts of task panels."""
 
 import html
+import math
 
 import FreeCAD
 import FreeCADGui
@@ -115,7 +116,7 @@ def shown_fact(value, kind, most=3):
     if kind in _POWERS:
         return in_users_units(value, _POWERS[kind])
     if kind == "angle":
-        return f"{value:.6g} rad"
+        return f"{math.degrees(value):.6g}°"
     if isinstance(value, (list, tuple)):
         more = f", ... {len(value)} in all" if len(value) > most else ""
         return ", ".join(str(each) for each in value[:most]) + more
