@@ -165,6 +165,7 @@ std::size_t selection_mark(const std::string& text) {
 
 InputName parse_input(const std::string& text) {
   if (text.empty()) throw UsageError("the name of an input is empty");
+  if (text == "-") throw UsageError("inputs are files; nothing is read from stdin");
   const std::size_t mark = selection_mark(text);
   if (mark == std::string::npos || exists(text)) return {text, {}, {}};
 

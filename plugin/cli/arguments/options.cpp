@@ -128,6 +128,15 @@ void share(CLI::App& command, const std::vector<std::string>& names) {
   for (const std::string& name : names) command.get_option(name)->group(kShared);
 }
 
+void refuse_empty_names(const CommonOptions& options) {
+  if (options.command == nullptr) return;
+  for (const char* name :
+       {"--output", "--json", "--picture", "--html", "--glb", "--table", "--log"})
+    if (const CLI::Option* const option = options.command->get_option_no_throw(name);
+        option != nullptr && option->count() > 0 && option->as<std::string>().empty())
+      throw UsageError(std::string(name) + " takes the name of a file, not an empty one");
+}
+
 }  // namespace
 
 void add_report_options(CLI::App& command, CommonOptions& options) {
@@ -235,6 +244,7 @@ void check_files(const CommonOptions& options, const std::vector<std::string>& i
                  Outputs outputs) {
   if (options.picture.empty() && options.look.html.empty() && options.look.glb.empty())
     refuse_options(options, {"--view", "--size"}, "there is no --picture, --html or --glb");
+  refuse_empty_names(options);
   reading_policy().looks = !options.output.empty() || !options.reproduce.empty();
   for (const std::string& input : inputs) refuse_special(parse_input(input).file);
   const std::vector<Output> wanted = wanted_outputs(options, outputs);

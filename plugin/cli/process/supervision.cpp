@@ -271,6 +271,7 @@ bool lacks_stack() {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kExitFailure);
   limit_memory();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large cannot be written, which is told
   uncaught_as_ever = std::set_terminate(end_uncaught);
   watch_for_interruption();
   signals.release();

@@ -50,6 +50,21 @@ class BadInput : public ::testing::Test {
 
 TEST_F(BadInput, MissingFileIsNamed) { expect_refused("nowhere.step", "no such file"); }
 
+TEST_F(BadInput, OutputsHaveNames) {
+  const Finished run = blossom({"convert", folder / "bowl.brep", "-o", ""});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("--output takes the name of a file, not an empty one"), std::string::npos)
+      << run.err;
+}
+
+TEST_F(BadInput, AFileThatGrowsTooLargeIsNoCrash) {
+  const Finished run =
+      blossom({"convert", folder / "bowl.brep", "-o", folder / "out.step"}, "ulimit -f 1;");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("out.step: cannot be written: File too large"), std::string::npos)
+      << run.err;
+}
+
 TEST_F(BadInput, FolderIsNoModel) {
   std::filesystem::create_directory(folder / "folder.step");
   expect_refused("folder.step", "folder");
