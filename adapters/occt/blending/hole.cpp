@@ -50,19 +50,25 @@ TopoDS_Face face_on(const RationalBezierPatch& patch, bool turned) {
   return face;
 }
 
-std::string place_text(const Fill& fill, const HoleLoop& loop) {
-  if (fill.place < 0) return {};
+/// The same message with edges by their numbers in place of sides and corners.
+std::string in_edges(const Fill& fill, const HoleLoop& loop) {
+  std::string text = fill.message;
+  const auto replace = [&text](const std::string& words, const std::string& by) {
+    for (std::size_t at = 0; (at = text.find(words, at)) != std::string::npos; at += by.size())
+      text.replace(at, words.size(), by);
+  };
+  if (fill.place < 0) return text;
   const auto k = static_cast<std::size_t>(fill.place);
-  switch (fill.problem) {
-    case FillProblem::Gap:
-    case FillProblem::FlatCorner:
-    case FillProblem::TangentPlanes:
-    case FillProblem::ReflexCorner:
-      return "between edges " + std::to_string(loop[(k + loop.size() - 1) % loop.size()].number) +
-             " and " + std::to_string(loop[k].number) + ": ";
-    case FillProblem::DegenerateSide: return "edge " + std::to_string(loop[k].number) + ": ";
-    default: return {};
-  }
+  const std::string number = std::to_string(k);
+  const std::string after = "edge " + std::to_string(loop[k].number);
+  const std::string before =
+      "edge " + std::to_string(loop[(k + loop.size() - 1) % loop.size()].number);
+  const std::string corner = "the corner of " + before + " and " + after;
+  replace("the side before corner " + number, before);
+  replace("side " + number, after);
+  replace("the sides at corner " + number, before + " and " + after);
+  replace("corner " + number, corner);
+  return text;
 }
 
 }  // namespace
@@ -72,7 +78,8 @@ FilledHole filled_hole(const HoleLoop& loop, const std::vector<FillContinuity>& 
   const auto count = static_cast<int>(loop.size());
   if (count < kMinFillSides || count > kMaxFillSides)
     throw BadModel("a hole of " + std::to_string(kMinFillSides) + " to " +
-                   std::to_string(kMaxFillSides) + " edges is wanted, that at edge " +
+                   std::to_string(kMaxFillSides) +
+                   " edges with corners between them is wanted, that at edge " +
                    std::to_string(loop.front().number) + " has " + std::to_string(count));
   FilledHole result;
   std::vector<FillSide> sides;
@@ -83,10 +90,10 @@ FilledHole filled_hole(const HoleLoop& loop, const std::vector<FillContinuity>& 
     result.sides.push_back({loop[k], continuity[k], side.exact, side.error, side.angle_error});
     sides.push_back(std::move(side.side));
   }
-  wish.tolerances.point = point_tolerance(loop, wish.tolerances.point);
+  wish.tolerances.point = std::max(options.within, point_tolerance(loop, wish.tolerances.point));
   result.fill = fill(sides, wish);
   if (result.fill.problem != FillProblem::None) {
-    result.fill.message = place_text(result.fill, loop) + result.fill.message;
+    result.fill.message = in_edges(result.fill, loop);
     if (result.fill.problem == FillProblem::TangentPlanes)
       result.fill.message += "; G0 asks for no tangent planes";
     return result;

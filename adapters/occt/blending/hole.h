@@ -16,6 +16,7 @@ namespace blossom::occt {
 
 struct HoleOptions {
   FillOptions fill;
+  double within = 0;  ///< how far sides may be apart where they meet; see OpenBorders
 };
 
 struct FilledSide {

@@ -5,8 +5,13 @@
 #include <array>
 #include <cstdio>
 #include <set>
+#include <utility>
 
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Curve2d.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -17,6 +22,9 @@
 #include <gp_Pnt.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
+#include "adapters/occt/intersection_edges.h"
+#include "adapters/occt/repair/border_gaps.h"
 
 namespace blossom::occt {
 namespace {
@@ -58,9 +66,9 @@ std::array<EdgeEnd, 2> ends_of(const HoleEdge& edge, std::size_t place) {
   return ends;
 }
 
-bool meet(const EdgeEnd& a, const EdgeEnd& b) {
-  return a.vertex.IsSame(b.vertex) ||
-         a.point.Distance(b.point) <= std::max(Precision::Confusion(), a.tolerance + b.tolerance);
+bool meet(const EdgeEnd& a, const EdgeEnd& b, double within) {
+  const double apart = std::max({Precision::Confusion(), a.tolerance + b.tolerance, within});
+  return a.vertex.IsSame(b.vertex) || a.point.Distance(b.point) <= apart;
 }
 
 std::string at_point(const gp_Pnt& p) {
@@ -82,7 +90,8 @@ HoleEdge picked(const TopoDS_Shape& model, const TopoDS_Edge& edge, int number) 
 /// Walks from edge to edge; every edge is walked once, even where the way does not close.
 class LoopFinder {
  public:
-  LoopFinder(const TopoDS_Shape& model, const std::vector<int>& edges) {
+  LoopFinder(const TopoDS_Shape& model, const std::vector<int>& edges, double within)
+      : within_(within) {
     TopTools_IndexedMapOfShape all;
     TopExp::MapShapes(model, TopAbs_EDGE, all);
     std::set<int> known;
@@ -106,7 +115,7 @@ class LoopFinder {
     HoleLoop loop{edges_[start]};
     used_[start] = true;
     EdgeEnd end = ends_[start][1];
-    while (!meet(end, ends_[start][0])) {
+    while (!meet(end, ends_[start][0], within_)) {
       const EdgeEnd next = next_end(end, loop.back().number);
       loop.push_back(edges_[next.edge]);
       loop.back().backwards = next.last;
@@ -122,7 +131,7 @@ class LoopFinder {
     std::vector<EdgeEnd> found;
     for (std::size_t i = 0; i < ends_.size(); ++i)
       for (const EdgeEnd& end : ends_[i])
-        if (!used_[i] && meet(end, from)) found.push_back(end);
+        if (!used_[i] && meet(end, from, within_)) found.push_back(end);
     if (found.size() == 1) return found.front();
     throw BadModel("the way round the hole " + std::string(found.empty() ? "ends" : "forks") +
                    " after " + name_of(number) + ", at " + at_point(from.point));
@@ -131,22 +140,94 @@ class LoopFinder {
   std::vector<HoleEdge> edges_;
   std::vector<std::array<EdgeEnd, 2>> ends_;
   std::vector<bool> used_;
+  double within_;
 };
+
+constexpr double kEnclosed =
+    0.5;  // cosine, 60 degrees: of faces on one side of their border (a choice)
+
+constexpr int kChords = 16;  // of an edge, to see which way it turns
+
+/// An edge as it is walked: the normal of its neighbour in its middle, turned so that the neighbour
+/// lies to the left, seen from its tip.
+struct WalkedEdge {
+  Vec3 normal;
+  Vec3 swept;  ///< the area between the edge and the origin, as a vector; twice
+  double length = 0;
+};
+
+std::optional<WalkedEdge> walked(const HoleEdge& of) {
+  if (of.face.IsNull()) return {};
+  const BRepAdaptor_Curve2d chart(of.edge, of.face);
+  const double t = 0.5 * (chart.FirstParameter() + chart.LastParameter());
+  const BRepAdaptor_Curve curve(of.edge);
+  const gp_Pnt2d uv = chart.Value(t);
+  gp_Pnt point;
+  gp_Vec u, v;
+  BRepAdaptor_Surface(of.face, false).D1(uv.X(), uv.Y(), point, u, v);
+  const Vec3 normal = vec(u.Crossed(v));
+  if (!(norm(normal) > 0)) return {};
+  // A face lies to the left of its borders, seen from the tip of its surface's normal.
+  const bool reversed = of.edge.Orientation() == TopAbs_REVERSED;
+  const bool left = (reversed == of.backwards) == (of.face.Orientation() != TopAbs_REVERSED);
+  WalkedEdge edge{unit(normal) * (left ? 1 : -1), {}, GCPnts_AbscissaPoint::Length(curve)};
+  const double range = curve.LastParameter() - curve.FirstParameter();
+  for (int i = 0; i < kChords; ++i)
+    edge.swept =
+        edge.swept + cross(vec(curve.Value(curve.FirstParameter() + range * i / kChords)),
+                           vec(curve.Value(curve.FirstParameter() + range * (i + 1) / kChords)));
+  if (of.backwards) edge.swept = -edge.swept;
+  return edge;
+}
+
+/// Whether the way round goes round the faces beside it, not round a hole: seen from the side from
+/// which it runs counter-clockwise, they lie to the left. Where they stand upright on it, as the
+/// walls of an open box do, there is a hole.
+bool encloses_faces(const HoleLoop& loop) {
+  std::vector<WalkedEdge> edges;
+  for (const HoleEdge& edge : loop)
+    if (const auto found = walked(edge)) edges.push_back(*found);
+  Vec3 round{}, faced{};
+  double length = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const WalkedEdge& edge = edges[i];
+    round = round + edge.swept;
+    faced = faced + edge.normal * edge.length;
+    length += edge.length;
+  }
+  return norm(round) > 0 && dot(faced, unit(round)) > kEnclosed * length;
+}
 
 }  // namespace
 
-std::vector<HoleLoop> hole_loops(const TopoDS_Shape& model, const std::vector<int>& edges) {
-  LoopFinder finder(model, edges);
+std::vector<HoleLoop> hole_loops(const TopoDS_Shape& model, const std::vector<int>& edges,
+                                 double within) {
+  LoopFinder finder(model, edges, within);
   std::vector<HoleLoop> loops;
   while (finder.has_more()) loops.push_back(finder.next());
   return loops;
 }
 
-OpenLoops open_loops(const TopoDS_Shape& model) {
-  LoopFinder finder(model, open_edges(model));
+OpenBorders open_borders(const TopoDS_Shape& model, std::optional<double> sew_gap) {
+  OpenBorders borders{open_edges(model)};
+  if (sew_gap == 0) return borders;
+  const BorderGaps gaps = border_gaps(faces_of(model), sew_gap, {});
+  TopTools_IndexedMapOfShape all;
+  TopExp::MapShapes(model, TopAbs_EDGE, all);
+  for (const LooseBorder& border : gaps.borders) {
+    if (!border.gap) continue;
+    std::erase(borders.edges, all.FindIndex(border.edge));
+    borders.within = std::max(borders.within, joined_within(*border.gap));
+  }
+  return borders;
+}
+
+OpenLoops open_loops(const TopoDS_Shape& model, const OpenBorders& borders) {
+  LoopFinder finder(model, borders.edges, borders.within);
   OpenLoops result;
   while (finder.has_more()) try {
-      result.loops.push_back(finder.next());
+      HoleLoop loop = finder.next();
+      (encloses_faces(loop) ? result.sheets : result.holes).push_back(std::move(loop));
     } catch (const BadModel& error) {
       result.left_out.push_back(error.what());
     }

@@ -216,7 +216,7 @@ BorderGaps border_gaps(const std::vector<TopoDS_Face>& faces, std::optional<doub
   for (const auto& [edge, face] : edges_used_once(faces, bodies)) {
     if (stop) stop();
     curves.push_back(curve_of(edge, faces[face], face));
-    found.borders.push_back({vec(curves.back().at(0.5)), std::nullopt});
+    found.borders.push_back({edge, vec(curves.back().at(0.5)), std::nullopt});
   }
   const Measuring measuring(curves, within);
   for (std::size_t i = 0; i < found.borders.size(); ++i) {

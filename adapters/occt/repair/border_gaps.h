@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
 #include "core/math/vec.h"
@@ -16,6 +17,7 @@ namespace blossom::occt {
 
 /// An edge that one face uses, once.
 struct LooseBorder {
+  TopoDS_Edge edge;
   Vec3 middle;
   std::optional<double> gap;  ///< to the borders along it, model units; none within the bound
 };

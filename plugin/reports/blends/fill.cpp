@@ -25,12 +25,14 @@ FillContinuity asked_of(const FillWishes& wishes, const occt::HoleEdge& edge) {
   return wishes.continuity[static_cast<std::size_t>(at - wishes.edges.begin())];
 }
 
-Hole filled(const FillWishes& wishes, occt::HoleLoop loop) {
+Hole filled(const FillWishes& wishes, double within, occt::HoleLoop loop) {
   Hole hole{.loop = std::move(loop), .filled = {}, .reason = {}, .message = {}};
   std::vector<FillContinuity> continuity;
   for (const occt::HoleEdge& edge : hole.loop) continuity.push_back(asked_of(wishes, edge));
+  occt::HoleOptions options = wishes.options;
+  options.within = within;
   try {
-    hole.filled = occt::filled_hole(hole.loop, continuity, wishes.options);
+    hole.filled = occt::filled_hole(hole.loop, continuity, options);
     if (hole.filled.fill.problem != FillProblem::None) {
       hole.reason = to_string(hole.filled.fill.problem);
       hole.message = hole.filled.fill.message;
@@ -46,7 +48,7 @@ occt::SewnHoles sewn(const FillAnswer& answer, const TopoDS_Shape& model, double
   std::vector<occt::FilledHole> filled;
   for (const Hole& hole : answer.all)
     if (hole.reason.empty()) filled.push_back(hole.filled);
-  return occt::sewn_holes(filled, model, std::max(tolerance, Tolerances{}.point));
+  return occt::sewn_holes(filled, model, std::max({tolerance, Tolerances{}.point, answer.within}));
 }
 
 Json contact_json(const FillContact& contact) {
@@ -87,6 +89,17 @@ Json hole_json(const Hole& hole) {
           {"sides", std::move(sides)}};
 }
 
+/// Why no hole is filled.
+std::string why_nothing(const FillAnswer& holes) {
+  if (!holes.all.empty()) return holes.all.front().message;
+  if (holes.sheets.empty()) return "no edge is open, so there is no hole";
+  std::string edges;
+  for (const occt::HoleEdge& edge : holes.sheets.front())
+    edges += (edges.empty() ? "" : ",") + std::to_string(edge.number);
+  return "there is no hole: its open edges " + edges +
+         " are the outer border of a sheet; name them to close it";
+}
+
 }  // namespace
 
 FillAnswer fill_holes(const Input& input, const FillWishes& wishes,
@@ -94,20 +107,20 @@ FillAnswer fill_holes(const Input& input, const FillWishes& wishes,
   const auto start = std::chrono::steady_clock::now();
   const TopoDS_Shape& model = input.model.shape();
   const bool named = !wishes.edges.empty();
+  const occt::OpenBorders borders = occt::open_borders(model, wishes.sew_gap);
   const occt::OpenLoops found =
-      named ? occt::OpenLoops{occt::hole_loops(model, wishes.edges), {}} : occt::open_loops(model);
-  FillAnswer holes;
-  for (const occt::HoleLoop& loop : found.loops) {
+      named ? occt::OpenLoops{occt::hole_loops(model, wishes.edges, borders.within), {}, {}}
+            : occt::open_loops(model, borders);
+  FillAnswer holes{.all = {}, .sheets = found.sheets, .within = borders.within};
+  for (const occt::HoleLoop& loop : found.holes) {
     step();
-    holes.all.push_back(filled(wishes, loop));
+    holes.all.push_back(filled(wishes, borders.within, loop));
     if (named && !holes.all.back().reason.empty())
       throw occt::BadModel(input.name + ": " + holes.all.back().message);
   }
   for (const std::string& message : found.left_out)
     holes.all.push_back({.loop = {}, .filled = {}, .reason = "edges", .message = message});
-  if (holes.all.empty())
-    throw occt::BadModel(input.name + ": no edge is open, so there is no hole");
-  if (holes.filled() == 0) throw occt::BadModel(input.name + ": " + holes.all.front().message);
+  if (holes.filled() == 0) throw occt::BadModel(input.name + ": " + why_nothing(holes));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   holes.seconds = took.count();
   return holes;
@@ -169,7 +182,8 @@ FillContact worst_of(const Fill& fill) {
 }
 
 Json fill_report(const Input& input, const FillAnswer& holes) {
-  Json filled = Json::array(), refused = Json::array();
+  Json filled = Json::array(), refused = Json::array(), sheets = Json::array();
+  for (const occt::HoleLoop& loop : holes.sheets) sheets.push_back(edges_json(loop));
   for (const Hole& hole : holes.all)
     if (hole.reason.empty())
       filled.push_back(hole_json(hole));
@@ -181,6 +195,7 @@ Json fill_report(const Input& input, const FillAnswer& holes) {
           {"file", input.name},
           {"holes", std::move(filled)},
           {"refused", std::move(refused)},
+          {"outer_borders", std::move(sheets)},
           {"seconds", holes.seconds},
           {"repairs", Json::array({repairs_json(input)})}};
 }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct FillWishes {
   /// One, or one for each edge. The one for all is G0 at edges without a neighbour.
   std::vector<FillContinuity> continuity{FillContinuity::G1};
   occt::HoleOptions options{};
+  std::optional<double> sew_gap{};  ///< as occt::open_borders has it
 };
 
 /// A hole and the reason why it was not filled, if there is one.
@@ -32,6 +34,8 @@ struct Hole {
 
 struct FillAnswer {
   std::vector<Hole> all;
+  std::vector<occt::HoleLoop> sheets;  ///< outer borders, which are no holes
+  double within = 0;                   ///< as occt::OpenBorders has it
   double seconds = 0;
 
   std::size_t filled() const {

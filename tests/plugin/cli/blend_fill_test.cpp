@@ -88,13 +88,23 @@ TEST_F(BlendFill, ClosesASolidThatKeepsItsNamesLooksAndAssembly) {
   }
 }
 
-TEST_F(BlendFill, WithoutEdgesFillsWhatItCanAndNamesTheRest) {
+TEST_F(BlendFill, WithoutEdgesFillsHolesAndNotTheOuterBorder) {
   const Finished ran = blossom({"blend", "fill", path("square.brep"), "--json", "-"});
-  EXPECT_EQ(ran.code, 3) << ran.err;
+  EXPECT_EQ(ran.code, 0) << ran.err;
   const nlohmann::json report = nlohmann::json::parse(ran.out);
   EXPECT_EQ(report["holes"].size(), 1u);
-  ASSERT_EQ(report["refused"].size(), 1u);
-  EXPECT_EQ(report["refused"][0]["reason"], "reflex-corner");
+  EXPECT_TRUE(report["refused"].empty());
+  ASSERT_EQ(report["outer_borders"].size(), 1u);
+  EXPECT_EQ(report["outer_borders"][0].size(), 4u);
+}
+
+TEST_F(BlendFill, SaysThatASheetWithoutAHoleHasNone) {
+  testing::write({testing::lid(0)}, folder / "lid.brep");
+  const Finished ran = blossom({"blend", "fill", path("lid.brep"), "-o", path("out.step")});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find(" are the outer border of a sheet; name them to close it"),
+            std::string::npos)
+      << ran.err;
 }
 
 TEST_F(BlendFill, TakesAContinuityForEachEdge) {

@@ -45,7 +45,9 @@ def one_of_each(document):
         "made": make.solid(document, "fuse", block, rod),
         "strip": make.blend_strip(document, (block[0], "Face6"), (sheet, "Face1")),
         "patch": make.sub_patch(document, (sheet, "Face1"), UTo=0.5, Levels=1),
-        "filled": make.fill(document, (sheet, ""), Continuity="G0"),
+        "filled": make.fill(
+            document, [(sheet, ("Edge1", "Edge2", "Edge3", "Edge4"))], Continuity="G0"
+        ),
         "rounded": make.fillet(document, (block[0], "Edge1"), Radius="2 mm"),
         "cut off": make.chamfer(document, (block[0], "Edge2"), Distance="2 mm"),
         "checked": make.check(document, rod),

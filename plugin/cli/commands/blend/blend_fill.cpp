@@ -17,6 +17,7 @@
 #include "plugin/cli/commands/meshes/meshed_input.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/output.h"
+#include "plugin/cli/output/reading.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/reports/blends/fill.h"
@@ -71,8 +72,10 @@ occt::HoleOptions options_of(const FillCommand& command) {
 }
 
 reports::FillWishes wishes_of(const FillCommand& command) {
-  reports::FillWishes wishes{
-      .edges = edges_of(command.edges), .continuity = {}, .options = options_of(command)};
+  reports::FillWishes wishes{.edges = edges_of(command.edges),
+                             .continuity = {},
+                             .options = options_of(command),
+                             .sew_gap = reading_policy().sew};
   for (const std::string& word : parts_of(command.continuity))
     wishes.continuity.push_back(continuity_of(word));
   const std::size_t words = wishes.continuity.size();
@@ -108,6 +111,11 @@ std::string summary(const Input& input, const reports::FillAnswer& holes) {
       if (!side.exact)
         text << "    the neighbour at edge " << side.edge.number << " was fitted within "
              << rounded(side.error) << ", " << rounded(side.angle_error) << " rad\n";
+  }
+  for (const occt::HoleLoop& loop : holes.sheets) {
+    text << "  edges";
+    for (const occt::HoleEdge& edge : loop) text << ' ' << edge.number;
+    text << ": the outer border of a sheet, no hole\n";
   }
   return text.str();
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
@@ -133,13 +134,62 @@ TEST(Hole, OfAnOpenBoxHasNoSmoothFilling) {
   const FilledHole hole = filled(box, open_edges(box), FillContinuity::G1);
   EXPECT_EQ(hole.fill.problem, FillProblem::TangentPlanes);
   EXPECT_TRUE(hole.faces.empty());
-  EXPECT_NE(hole.fill.message.find("between edges"), std::string::npos) << hole.fill.message;
+  EXPECT_NE(hole.fill.message.find("at the corner of edge 10 and edge 2"), std::string::npos)
+      << hole.fill.message;
   EXPECT_NE(hole.fill.message.find("G0 asks for no"), std::string::npos) << hole.fill.message;
 }
 
 TEST(Hole, IsNotTheOuterBorderOfAFace) {
   const FilledHole hole = filled(squarely_holed(), {1, 2, 3, 4}, FillContinuity::G1);
   EXPECT_EQ(hole.fill.problem, FillProblem::ReflexCorner) << hole.fill.message;
+}
+
+/// Faces that share no edges, each moved by so much in a direction of its own.
+TopoDS_Compound apart(const TopoDS_Shape& shape, double far) {
+  TopoDS_Compound loose;
+  const BRep_Builder builder;
+  builder.MakeCompound(loose);
+  double turn = 0;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next(), ++turn) {
+    gp_Trsf move;
+    move.SetTranslation(far * gp_Vec(std::cos(turn), std::sin(turn), std::cos(2 * turn)));
+    builder.Add(loose, BRepBuilderAPI_Copy(face.Current()).Shape().Moved(TopLoc_Location(move)));
+  }
+  return loose;
+}
+
+TEST(Hole, OfLooseFacesThatMeetIsClosed) {
+  for (const double far : {0., 1e-4, 1e-3}) {
+    const TopoDS_Compound box = apart(open_box(), far);
+    const OpenBorders borders = open_borders(box);
+    EXPECT_EQ(borders.edges.size(), 4u) << far;
+    const OpenLoops found = open_loops(box, borders);
+    ASSERT_EQ(found.holes.size(), 1u) << far;
+    EXPECT_TRUE(found.left_out.empty() && found.sheets.empty()) << far;
+    const FilledHole hole =
+        filled_hole(found.holes.front(), std::vector<FillContinuity>(4, FillContinuity::G0),
+                    {.fill = {}, .within = borders.within});
+    ASSERT_EQ(hole.fill.problem, FillProblem::None) << hole.fill.message;
+    const TopoDS_Shape joined = sewn_holes({hole}, box, borders.within).shape;
+    EXPECT_TRUE(open_edges(joined).empty()) << far;
+    EXPECT_NEAR(area_of(joined), 6, 20 * far + 1e-9);
+  }
+}
+
+TEST(Hole, OfLooseFacesIsNoneIfNoneMayMeet) {
+  EXPECT_EQ(open_borders(apart(open_box(), 0), 0).edges.size(), 20u);
+}
+
+TEST(HoleLoops, TellTheBorderOfASheetFromAHole) {
+  for (const bool turned : {false, true}) {
+    TopoDS_Face face = squarely_holed();
+    if (turned) face.Reverse();
+    const OpenLoops found = open_loops(face, open_borders(face));
+    ASSERT_EQ(found.holes.size(), 1u);
+    EXPECT_EQ(found.holes.front().front().number, kHole.front());
+    ASSERT_EQ(found.sheets.size(), 1u);
+    EXPECT_EQ(found.sheets.front().front().number, 1);
+  }
 }
 
 TEST(HoleLoops, RefuseEdgesThatBoundNone) {
@@ -174,10 +224,11 @@ TEST(HoleLoops, LeaveOutWaysThatForkAndKeepTheOthers) {
   away.SetTranslation(gp_Vec(10, 0, 0));
   builder.Add(model, squarely_holed().Moved(TopLoc_Location(away)));
 
-  const OpenLoops found = open_loops(model);
+  const OpenLoops found = open_loops(model, {open_edges(model)});
   // The hole and the outer border of its face; of the two others one border, since the first way
   // forks.
-  EXPECT_EQ(found.loops.size(), 3u);
+  EXPECT_EQ(found.holes.size(), 1u);
+  EXPECT_EQ(found.sheets.size(), 2u);
   EXPECT_FALSE(found.left_out.empty());
   for (const std::string& message : found.left_out)
     EXPECT_TRUE(message.find("forks") != std::string::npos ||
