@@ -26,14 +26,20 @@ constexpr double kFar = 1e-2;  // of a curve's length: where it ends off all edg
 
 class FaceSections {
  public:
-  FaceSections(FaceList& faces, const Plane& plane, const IntersectionOptions& options)
-      : frame_(plane), options_(options), tolerance_(options.tolerances.point), faces_(faces) {}
+  FaceSections(FaceList& faces, const std::vector<TopoDS_Edge>& edges, const Plane& plane,
+               const IntersectionOptions& options)
+      : frame_(plane),
+        options_(options),
+        tolerance_(options.tolerances.point),
+        faces_(faces),
+        edges_(edges) {}
 
   PlaneSection run() {
     prepare();
     SectionNodes nodes(frame_, options_, faces_.size(), section_);
     for (std::size_t i = 0; i < faces_.size(); ++i)
       if (asked_[i]) nodes.add_edges(i, faces_.face(i));
+    nodes.add_loose(edges_);
     std::vector<SurfaceIntersection> found(faces_.size());
     parallel_for(faces_.size(), 1, [&](std::size_t i) {
       if (searched_[i]) found[i] = search(i);
@@ -141,7 +147,8 @@ class FaceSections {
   const SharedLimit limit_{options_};
   double tolerance_;
   FaceList& faces_;
-  std::vector<char> asked_;  // faces that may have a point in the plane
+  const std::vector<TopoDS_Edge>& edges_;  // without faces
+  std::vector<char> asked_;                // faces that may have a point in the plane
   std::vector<char> in_plane_;
   std::vector<char> searched_;  // asked but not in the plane
   PlaneSection section_;
@@ -150,20 +157,25 @@ class FaceSections {
 }  // namespace
 
 PlaneSection plane_section(const std::vector<TopoDS_Face>& faces, const Plane& plane,
-                           const IntersectionOptions& options) {
-  return SectionedFaces(faces, options.tolerances.point).section(plane, options);
+                           const IntersectionOptions& options,
+                           const std::vector<TopoDS_Edge>& edges) {
+  return SectionedFaces(faces, options.tolerances.point, edges).section(plane, options);
 }
 
 struct SectionedFaces::Impl {
-  Impl(std::vector<TopoDS_Face> all, double tolerance)
-      : faces(std::move(all)), list(faces, "", tolerance, Extent::Trims, ArcCuts::Shifted) {}
+  Impl(std::vector<TopoDS_Face> all, double tolerance, std::vector<TopoDS_Edge> loose)
+      : faces(std::move(all)),
+        edges(std::move(loose)),
+        list(faces, "", tolerance, Extent::Trims, ArcCuts::Shifted) {}
 
   std::vector<TopoDS_Face> faces;
+  std::vector<TopoDS_Edge> edges;
   FaceList list;
 };
 
-SectionedFaces::SectionedFaces(std::vector<TopoDS_Face> faces, double tolerance)
-    : impl_(std::make_unique<Impl>(std::move(faces), tolerance)) {}
+SectionedFaces::SectionedFaces(std::vector<TopoDS_Face> faces, double tolerance,
+                               std::vector<TopoDS_Edge> edges)
+    : impl_(std::make_unique<Impl>(std::move(faces), tolerance, std::move(edges))) {}
 SectionedFaces::~SectionedFaces() = default;
 SectionedFaces::SectionedFaces(SectionedFaces&&) noexcept = default;
 SectionedFaces& SectionedFaces::operator=(SectionedFaces&&) noexcept = default;
@@ -172,7 +184,8 @@ const std::vector<TopoDS_Face>& SectionedFaces::faces() const { return impl_->fa
 
 PlaneSection SectionedFaces::section(const Plane& plane, const IntersectionOptions& options) {
   PlaneSection section;
-  with_threads(options.threads, [&] { section = FaceSections(impl_->list, plane, options).run(); });
+  with_threads(options.threads,
+               [&] { section = FaceSections(impl_->list, impl_->edges, plane, options).run(); });
   return section;
 }
 

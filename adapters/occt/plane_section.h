@@ -37,7 +37,7 @@ struct SectionNode {
 };
 
 struct SectionCurve {
-  int face = -1;     ///< place in the list of faces; of an edge, one of its faces
+  int face = -1;     ///< place in the list of faces; of an edge, one of its faces; -1 without one
   TopoDS_Edge edge;  ///< not null: the curve is this edge, which lies in the plane
   Handle(Geom_Curve) curve;
   Interval range;                      ///< of the curve's parameter
@@ -99,16 +99,23 @@ struct PlaneSection {
 ///       faces in the plane; what the plane only touches, or what lies inside, are wires of their
 ///       own
 ///
-/// throws   BadModel if the normal is zero or a number is not finite, or if a face cannot be
-///          converted; the message has the face's place in the list
+/// Edges without faces have points in common with the plane, or lie in it; what lies in it bounds
+/// nothing. Of one that does in part, the ends of that part are nodes, and the status is
+/// `tolerance`.
+///
+/// throws   BadModel if the normal is zero or a number is not finite, or if a face or an edge
+/// cannot
+///          be converted; the message has the face's place in the list
 PlaneSection plane_section(const std::vector<TopoDS_Face>& faces, const Plane& plane,
-                           const IntersectionOptions& options = {});
+                           const IntersectionOptions& options = {},
+                           const std::vector<TopoDS_Edge>& edges = {});
 
 /// Faces made ready for sections with many planes: what is converted for one serves all.
 class SectionedFaces {
  public:
   /// throws   BadModel if a face cannot be used
-  explicit SectionedFaces(std::vector<TopoDS_Face> faces, double tolerance = Tolerances{}.point);
+  explicit SectionedFaces(std::vector<TopoDS_Face> faces, double tolerance = Tolerances{}.point,
+                          std::vector<TopoDS_Edge> edges = {});
   ~SectionedFaces();
   SectionedFaces(SectionedFaces&&) noexcept;
   SectionedFaces& operator=(SectionedFaces&&) noexcept;

@@ -90,6 +90,19 @@ void SectionNodes::add_edges(std::size_t index, const TopoDS_Face& face) {
   }
 }
 
+void SectionNodes::add_loose(const std::vector<TopoDS_Edge>& edges) {
+  for (const TopoDS_Edge& edge : edges) {
+    if (edges_.Contains(edge)) continue;
+    edges_.Add(edge);
+    known_.push_back(known_edge(nodes_of_.size(), edge));
+    if (known_.back().in_part) weaken("an edge without a face lies in the plane in part");
+    if (known_.back().curve < 0) continue;
+    SectionCurve& curve = section_.curves[static_cast<std::size_t>(known_.back().curve)];
+    curve.face = -1;
+    curve.bounding = false;
+  }
+}
+
 SectionNodes::KnownEdge SectionNodes::known_edge(std::size_t face, const TopoDS_Edge& edge) {
   KnownEdge known;
   for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
@@ -140,6 +153,7 @@ void SectionNodes::add_points(const TopoDS_Edge& edge, const CurveSurfaceInterse
   }
   // A run along a part of an edge starts and ends in nodes; the curve itself is its faces'.
   const CurveSpans curve = bezier_spans(edge, tolerance_);
+  known.in_part = !found.overlaps.empty();
   for (const CurveSurfaceOverlap& run : found.overlaps)
     for (const double t : {run.t.from, run.t.to})
       known.nodes.push_back(new_node(edge, point_at(curve, t),

@@ -28,6 +28,9 @@ class SectionNodes {
   /// Finds the nodes on the edges of a face; those of an edge of two faces are found once.
   void add_edges(std::size_t index, const TopoDS_Face& face);
 
+  /// Finds the nodes on edges that no face has, and which of these edges lie in the plane.
+  void add_loose(const std::vector<TopoDS_Edge>& edges);
+
   /// The node in which a curve on a face ends: the nearest of the face, if it is near enough for
   /// what is not known of either, or a new one. Farther ones are taken up to `far`, as where an
   /// edge is off its face by more than it says; then, and where there is none, the status is
@@ -53,7 +56,8 @@ class SectionNodes {
  private:
   struct KnownEdge {
     std::vector<int> nodes;
-    int curve = -1;  // place in the section's curves, of an edge in the plane
+    int curve = -1;        // place in the section's curves, of an edge in the plane
+    bool in_part = false;  // whether a part of it lies there
   };
 
   void drop_joined(const std::vector<int>& becomes);

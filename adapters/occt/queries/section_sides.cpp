@@ -139,6 +139,7 @@ void find_bounding_curves(const FaceList& faces, const std::vector<char>& near,
         curve.bounding = crosses(faces.face(static_cast<std::size_t>(curve.face)), curve, normal);
       continue;
     }
+    if (curve.face < 0) continue;
     EdgeSides sides(curve, normal);
     for (const int face : faces_of_edge.Find(curve.edge)) {
       const auto i = static_cast<std::size_t>(face);

@@ -5,6 +5,11 @@
 #include <string>
 #include <utility>
 
+#include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
 #include "plugin/reports/models/parts.h"
 
 namespace blossom::reports {
@@ -25,6 +30,8 @@ std::vector<ReadyPart> ready_parts(const Input& input, double tolerance) {
     parts.push_back(
         {part.name, part.solid > 0, own.numbers, occt::SectionedFaces(own.faces, tolerance)});
   }
+  if (const std::vector<TopoDS_Edge> edges = edges_without_faces(input); !edges.empty())
+    parts.push_back({"edges", false, {}, occt::SectionedFaces({}, tolerance, edges)});
   return parts;
 }
 
@@ -48,6 +55,23 @@ SectionsOfPlane sections_with(const NamedPlane& plane, std::vector<ReadyPart>& p
 }
 
 }  // namespace
+
+std::vector<TopoDS_Edge> edges_without_faces(const Input& input) {
+  const bool all = static_cast<int>(input.numbers.size()) == input.model.face_count();
+  const TopoDS_Shape shape = !input.selected.IsNull() ? input.selected
+                             : all                    ? input.shape
+                                                      : TopoDS_Shape();
+  std::vector<TopoDS_Edge> edges;
+  if (shape.IsNull()) return edges;
+  TopTools_IndexedMapOfShape known;
+  for (TopExp_Explorer it(shape, TopAbs_EDGE, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (known.Contains(edge) || BRep_Tool::Degenerated(edge)) continue;
+    known.Add(edge);
+    edges.push_back(edge);
+  }
+  return edges;
+}
 
 SectionsAnswer sections_of(const Input& input, const std::vector<NamedPlane>& planes,
                            const CutControl& control) {

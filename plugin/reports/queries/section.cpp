@@ -16,7 +16,7 @@ namespace {
 // faces   their numbers, in the order in which the section has them
 Json curve_json(const std::vector<int>& faces, const ShapeNumbers& numbers,
                 const occt::SectionCurve& curve) {
-  const int face = faces[static_cast<std::size_t>(curve.face)];
+  const int face = curve.face < 0 ? 0 : faces[static_cast<std::size_t>(curve.face)];
   Json json = {{"on", numbers.place(curve.edge, face)},
                {"nodes", curve.nodes},
                {"closed", curve.closed},

@@ -14,6 +14,7 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -29,6 +30,8 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
@@ -408,6 +411,22 @@ TEST(PlaneSection, OfARealSolidIsClosed) {
     EXPECT_EQ(closed_wires(section), section.wires.size()) << name;
     expect_chained(section);
   }
+}
+
+TEST(PlaneSectionOfEdges, WithoutFacesHasTheirPointsBesideWhatFacesHave) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  const TopoDS_Edge ring =
+      BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2({20, 0, 5}, {0, 1, 0}), 3)).Edge();
+  const TopoDS_Edge flat = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 30, 5), gp_Pnt(8, 30, 5)).Edge();
+  const PlaneSection section =
+      plane_section(faces_of(box), {{0, 0, 5}, {0, 0, 1}}, {}, {ring, flat});
+  EXPECT_EQ(section.status, Status::Complete);
+  EXPECT_EQ(section.wires.size(), 2u);
+  EXPECT_NEAR(total_length(section), 40 + 8, 1e-9);
+  EXPECT_NEAR(bounded_area(section).value_or(0), 100, 1e-9);
+  ASSERT_EQ(section.points.size(), 2u);
+  for (const std::size_t node : section.points)
+    EXPECT_NEAR(std::abs(section.nodes[node].point[0] - 20), 3, 1e-7);
 }
 
 }  // namespace

@@ -17,10 +17,14 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepTools.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Pnt.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
@@ -406,6 +410,34 @@ TEST_F(QueryPlanes, DrawNothingWhereNothingIsMet) {
   const std::string out = folder_ / "none.dxf";
   EXPECT_EQ(run({"--offsets", "50:60:3", "-o", out}).code, 0);
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(QueryPlaneOfWires, FindsPointsAndEdgesInThePlane) {
+  const testing::TestFolder folder;
+  BRepBuilderAPI_MakePolygon way;  // up, along the plane, and down
+  for (const gp_Pnt& p : {gp_Pnt(0, 0, 0), gp_Pnt(0, 0, 2), gp_Pnt(4, 0, 2), gp_Pnt(4, 0, 0)})
+    way.Add(p);
+  BRepTools::Write(way.Wire(), (folder / "way.brep").c_str());
+  const auto cut = [&](const char* plane) {
+    const Finished run =
+        blossom({"query", "plane", folder / "way.brep", "--plane", plane, "--json", "-"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    return json::parse(run.out);
+  };
+  const json across = cut("0,0,1,0,0,1");
+  EXPECT_EQ(across["status"], "complete");
+  ASSERT_EQ(across["points"].size(), 2U);
+  EXPECT_EQ(across["nodes"][0]["on"], (json{{"kind", "edge"}, {"number", 1}}));
+  EXPECT_EQ(across["nodes"][1]["point"], (json{4, 0, 1}));
+  const json along = cut("0,0,2,0,0,1");
+  EXPECT_TRUE(along["points"].empty());
+  ASSERT_EQ(along["wires"].size(), 1U);
+  EXPECT_EQ(along["wires"][0]["length"], 4);
+  EXPECT_EQ(along["wires"][0]["bounding"], false);
+  const Finished many = blossom({"query", "plane", folder / "way.brep", "--offsets", "0.5:1.5:2",
+                                 "-o", folder / "cuts.step"});
+  EXPECT_EQ(many.code, 0) << many.err;
+  EXPECT_TRUE(std::filesystem::exists(folder / "cuts.step"));
 }
 
 }  // namespace

@@ -103,7 +103,8 @@ TEST_F(TrimSolidsCommand, IsNamedWhereFacesAreWantedAndThereAreEdgesAlone) {
   for (const std::string& edges : {std::string(folder / "line.brep"), box + "#edge:1"}) {
     const Finished run = blossom({"intersect", edges, box});
     EXPECT_EQ(run.code, 2);
-    EXPECT_NE(run.err.find("'blossom trim --solid' and 'blossom query distance' take edges"),
+    EXPECT_NE(run.err.find(
+                  "'blossom trim --solid', 'blossom query distance' and 'query plane' take edges"),
               std::string::npos)
         << run.err;
   }

@@ -24,6 +24,7 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
+#include "plugin/reports/queries/plane_cuts.h"
 #include "plugin/reports/queries/section.h"
 
 namespace blossom::cli {
@@ -88,7 +89,10 @@ std::string text_of(const Input& input, const Answer& answer) {
     text << "  " << (wire.closed ? "closed" : "open") << ", " << counted(wire.uses.size(), "curve")
          << ", length " << wire.length;
     if (wire.bounding && wire.area) text << ", area " << std::abs(*wire.area);
-    text << (wire.bounding ? "\n" : ", inside the section or only touching\n");
+    const bool loose = section.curves[wire.uses.front().curve].face < 0;
+    text << (loose           ? ", of edges without faces\n"
+             : wire.bounding ? "\n"
+                             : ", inside the section or only touching\n");
   }
   for (const std::size_t node : section.points)
     text << "  point " << vector_text(without_roundings(section.nodes[node].point)) << "\n";
@@ -170,13 +174,14 @@ int run(const PlaneCommand& options) {
   answer.plane = plane_of(options);
   if (is_mesh_input(options.input))
     return run_mesh_sections(options.input, {{answer.plane, "section"}}, options.common);
-  const Input input = read_usable_input(options.input);
+  const Input input = input_to_cut(options.input);
   stop_if_interrupted();
   {
     Progress progress("cutting");
     const IntersectionOptions engine = intersection_options(options.engine, progress);
     const Stopwatch watch;
-    answer.section = occt::plane_section(input.faces, answer.plane, engine);
+    answer.section =
+        occt::plane_section(input.faces, answer.plane, engine, reports::edges_without_faces(input));
     answer.seconds = watch.seconds();
   }
   stop_if_interrupted();

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/shapes.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/arguments/vectors.h"
@@ -194,9 +195,16 @@ void write_parts(const Input& input, const NamedPlane& plane, const EngineOption
   write_result(input, cut(input, {plane}, engine), file);
 }
 
+Input input_to_cut(const std::string& name) {
+  Input input = read_usable_input(name, Faces::Optional);
+  if (input.faces.empty() && reports::edges_without_faces(input).empty())
+    throw occt::BadModel(input.name + ": there is no face and no edge in it");
+  return input;
+}
+
 int run_planes(const std::string& name, std::vector<NamedPlane> planes, const CommonOptions& common,
                const EngineOptions& engine) {
-  const Input input = read_usable_input(name);
+  const Input input = input_to_cut(name);
   stop_if_interrupted();
   const SectionsAnswer answer = cut(input, planes, engine);
   stop_if_interrupted();

@@ -23,6 +23,10 @@ std::vector<reports::NamedPlane> planes_at(const std::string& offsets, const occ
 /// throws   UsageError, with the line, if it has no planes or a line is none
 std::vector<reports::NamedPlane> planes_in(const std::string& file);
 
+/// A model with faces, or with edges that no face has.
+/// throws   occt::BadModel if it has neither
+Input input_to_cut(const std::string& name);
+
 /// The section with one plane as a drawing or a model, part by part.
 void write_parts(const Input& input, const reports::NamedPlane& plane, const EngineOptions& engine,
                  const std::string& file);
