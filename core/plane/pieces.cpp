@@ -59,6 +59,7 @@ struct Outer {
   std::size_t piece = 0;
   std::size_t component = 0;
   double area = 0;
+  std::size_t touching = 0;  // its first holes, which touch its outer loop or each other
 };
 
 constexpr std::size_t kNoComponent = static_cast<std::size_t>(-1);
@@ -78,12 +79,21 @@ ChartPiece piece_of(std::span<const ChartArc> arcs, std::vector<Cycle> parts) {
   return piece;
 }
 
+// Whether a piece goes round a point, and no loop in it that touches it does.
+bool goes_round(std::span<const ChartArc> arcs, const ChartPiece& piece, std::size_t touching,
+                const Vec2& point) {
+  const auto holds = [&](const Cycle& loop) { return encloses(arcs, loop, point); };
+  return holds(piece.outer) &&
+         std::none_of(piece.holes.begin(),
+                      piece.holes.begin() + static_cast<std::ptrdiff_t>(touching), holds);
+}
+
 // The smallest piece round an arc, but none that a part of the arrangement bounds.
 ChartPiece* around(std::span<const ChartArc> arcs, const std::vector<Outer>& by_area,
                    const ChartArc& arc, std::size_t but, std::vector<ChartPiece>& pieces) {
   const Vec2 inside = middle_of(arc.path);
   const auto found = std::find_if(by_area.begin(), by_area.end(), [&](const Outer& outer) {
-    return outer.component != but && encloses(arcs, pieces[outer.piece].outer, inside);
+    return outer.component != but && goes_round(arcs, pieces[outer.piece], outer.touching, inside);
   });
   return found == by_area.end() ? nullptr : &pieces[found->piece];
 }
@@ -109,7 +119,8 @@ ChartPieces pieces(std::span<const ChartArc> arcs, double tolerance) {
       std::move(parts.begin(), parts.end(), std::back_inserter(holes));
       continue;
     }
-    outers.push_back({result.pieces.size(), components.of(first_arc(arcs, cycle)), area});
+    outers.push_back(
+        {result.pieces.size(), components.of(first_arc(arcs, cycle)), area, parts.size() - 1});
     result.pieces.push_back(piece_of(arcs, std::move(parts)));
   }
   std::sort(outers.begin(), outers.end(),

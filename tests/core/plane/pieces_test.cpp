@@ -280,6 +280,17 @@ TEST(Pieces, LoopsThatTouchInAVertexAreHolesOfTheirOwn) {
   }
 }
 
+// The piece beside a loop that touches the rim is smaller than what the loop goes round, and its
+// outer loop is round all of that.
+TEST(Pieces, HoleInALoopThatTouchesTheRimIsNotInThePieceBesideIt) {
+  constexpr double kRadius = 1.9, kHole = 0.3;
+  Square square({{2}, {}, {}, {}});  // vertex 4 = (2, 0)
+  square.cut(4, 4, arc({2, kRadius}, kRadius, -pi / 2, 1.5 * pi));
+  square.cut(5, 5, arc({2, kRadius}, kHole, 0, 2 * pi));
+  const double loop = pi * kRadius * kRadius, hole = pi * kHole * kHole;
+  expect_areas(square, {hole, 16 - loop, loop - hole});
+}
+
 TEST(Pieces, SayWhenAHoleLiesOutsideOfTheFace) {
   Square square;
   square.arcs.push_back({4, 4, arc({9, 2}, 0.5, 2 * pi, 0), true});
