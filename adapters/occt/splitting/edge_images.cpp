@@ -40,9 +40,10 @@ constexpr int kNewtonSteps = 4;
 constexpr int kMinPieces = 16, kMaxPieces = 512;  // between knots of a fitted run
 constexpr double kFitShare = 0.1;                 // of the tolerance
 constexpr double kExactShare = 1e-3;  // of the tolerance: a projection so near is taken as exact
-constexpr int kImageSamples = 33;
-constexpr double kStart = 1e-3;      // of a run: a place on it near its start
-constexpr double kSamePlace = 1e-9;  // of a run: joints so near are one
+constexpr int kImageSteps = 32;       // of an image, between which it is compared with its curve,
+constexpr int kSpanSteps = 4;         // and of each of its spans, where these are many
+constexpr double kStart = 1e-3;       // of a run: a place on it near its start
+constexpr double kSamePlace = 1e-9;   // of a run: joints so near are one
 // Of a parameter: between joints nearer than this there are few numbers left.
 constexpr double kFewNumbers = 0x1p-40;
 
@@ -51,14 +52,20 @@ double least_piece(const Interval& run) {
                   kFewNumbers * std::max(std::abs(run.from), std::abs(run.to)));
 }
 
+// Open CASCADE's approximations go astray in single spans, however short, and are right in others.
 double deviation(const Handle(Geom_Curve) & curve, const Handle(Geom2d_Curve) & chart,
                  const Interval& range, const SurfaceProjector& feet) {
+  std::vector<double> ends = breaks_of(chart, range);
+  ends.insert(ends.begin(), range.from);
+  ends.push_back(range.to);
+  const int steps = std::max(kSpanSteps, kImageSteps / static_cast<int>(ends.size() - 1));
   double largest = 0;
-  for (int i = 0; i < kImageSamples; ++i) {
-    const double t = at(range, static_cast<double>(i) / (kImageSamples - 1));
-    const gp_Pnt2d uv = chart->Value(t);
-    largest = std::max(largest, feet.gap(vec(curve->Value(t)), {uv.X(), uv.Y()}));
-  }
+  for (std::size_t span = 0; span + 1 < ends.size(); ++span)
+    for (int i = span == 0 ? 0 : 1; i <= steps; ++i) {
+      const double t = at(Interval{ends[span], ends[span + 1]}, static_cast<double>(i) / steps);
+      const gp_Pnt2d uv = chart->Value(t);
+      largest = std::max(largest, feet.gap(vec(curve->Value(t)), {uv.X(), uv.Y()}));
+    }
   return largest;
 }
 
