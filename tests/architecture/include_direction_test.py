@@ -14,7 +14,7 @@ import re
 import sys
 from pathlib import Path
 
-CORE_ROOMS = """base math math/functions math/series forms forms/algebra forms/spans blossom subdivision
+CORE_ROOMS = """base math math/functions math/series forms forms/algebra forms/spans forms/meetings blossom subdivision
     subdivision/bulk papers bounds results cells surfaces/gap surfaces/gap/cells surfaces/pairs surfaces/adjacency
     surfaces/contacts surfaces/coincidence surfaces/branches surfaces/search tracing surfaces/assembly
     surfaces/retry curves curves/with_surfaces plane distance rays regions/delaunay regions

@@ -15,17 +15,22 @@
 namespace blossom::occt {
 namespace {
 
-constexpr int kSamples = 64;      // of a conic, to see where it passes seams
+constexpr int kSamples = 64;      // of a form, to see where it passes seams
 constexpr double kAside = 0.3;    // of a step: keeps samples off symmetric places, where seams are
 constexpr int kHalvings = 60;     // of the interval between two samples
 constexpr double kBeside = 1e-7;  // of a part: how far from its ends charts are looked at
 constexpr double kSame = 1e-9;    // of a part: cuts so near are one
-constexpr double kRounding = 1e-12;  // of a parameter: so near a seam it is on it
-constexpr double kFit = 2e-2;        // of the slack: what a spline may be off
+constexpr double kFit = 2e-2;     // of the slack: what a spline may be off
 // Halving gains a factor of 64: with pieces that are off, those are halved that it brings near the
 // error of the others.
 constexpr double kHalved = 1.0 / 64;
 constexpr int kMinPieces = 4, kMaxPieces = 512;
+
+std::array<Vec3, 3> jet_of(const ClosedForm& form, double t) {
+  if (const auto* crossing = std::get_if<PipeCrossing>(&form)) return jet_at(*crossing, t);
+  const auto& conic = std::get<Conic>(form);
+  return {point_at(conic, t), derivative_at(conic, t), second_derivative_at(conic, t)};
+}
 
 // Which period of each chart's parameters a point lies in.
 using Windows = std::array<int, 4>;
@@ -41,10 +46,10 @@ std::vector<Interval> parts_of(const Interval& range, const std::vector<double>&
   return parts;
 }
 
-class Conics {
+class FormImages {
  public:
-  Conics(const Conic& conic, const std::array<const ChartSheet*, 2>& sheets, double slack)
-      : conic_(conic), sheets_(sheets), slack_(slack) {}
+  FormImages(const ClosedForm& form, const std::array<const ChartSheet*, 2>& sheets, double slack)
+      : form_(form), sheets_(sheets), slack_(slack) {}
 
   std::vector<double> cuts(const Interval& range, const std::vector<double>& nodes) const;
   bool is_pole(double t) const { return is_pole(0, t) || is_pole(1, t); }
@@ -59,15 +64,17 @@ class Conics {
   using Places = std::array<Vec2, 2>;  // in both charts
 
   Vec2 uv(std::size_t k, double t, const std::optional<Vec2>& near) const {
-    return sheets_[k]->feet.foot(point_at(conic_, t), near);
+    return sheets_[k]->feet.foot(jet_of(form_, t)[0], near);
   }
   bool is_pole(std::size_t k, double t) const {
-    return sheets_[k]->feet.pole_at(point_at(conic_, t)) != nullptr;
+    return sheets_[k]->feet.pole_at(jet_of(form_, t)[0]) != nullptr;
   }
   // Where windows are looked for, which a chart without periods has none of.
   Vec2 place(std::size_t k, double t, const std::optional<Vec2>& near) const {
-    return sheets_[k]->period == Vec2{} ? Vec2{} : uv(k, t, near);
+    if (sheets_[k]->period == Vec2{}) return {};
+    return sheets_[k]->leaps ? past_seam(k, t, near) : uv(k, t, near);
   }
+  Vec2 past_seam(std::size_t k, double t, const std::optional<Vec2>& near) const;
   Places both(double t, const Places& near) const {
     return {place(0, t, near[0]), place(1, t, near[1])};
   }
@@ -86,13 +93,26 @@ class Conics {
                            const std::vector<double>& knots) const;
   Deviation sampled(const IntersectionCurve& curve, double t) const;
 
-  Conic conic_;
+  ClosedForm form_;
   std::array<const ChartSheet*, 2> sheets_;
   double slack_;
 };
 
+// Feet on a surface that closes without a period stay on its seam a little longer than the curve,
+// and then leap to the other end; these go on.
+Vec2 FormImages::past_seam(std::size_t k, double t, const std::optional<Vec2>& near) const {
+  const ChartSheet& sheet = *sheets_[k];
+  Vec2 at = uv(k, t, near);
+  const SurfaceJet frame = frame_at(sheet.feet.surface(), at);
+  at += chart_step(frame, jet_of(form_, t)[0] - frame.point);
+  for (int d = 0; near && d < 2; ++d)
+    if (sheet.period[d] > 0)
+      at[d] += sheet.period[d] * std::round(((*near)[d] - at[d]) / sheet.period[d]);
+  return at;
+}
+
 // A point on a seam, to rounding, stays in the window it was in: a curve may run along the seam.
-Windows Conics::windows(const Places& at, const Windows& before, double slack) const {
+Windows FormImages::windows(const Places& at, const Windows& before, double slack) const {
   Windows found{};
   for (std::size_t i = 0; i < found.size(); ++i) {
     const ChartSheet& sheet = *sheets_[i / 2];
@@ -106,7 +126,7 @@ Windows Conics::windows(const Places& at, const Windows& before, double slack) c
 }
 
 // Where windows change between two parameters: on the seam itself, but for a curve along it.
-double Conics::change(Interval around, Places near, const Windows& before) const {
+double FormImages::change(Interval around, Places near, const Windows& before) const {
   const double slack = windows(near, before, -kSame) == before ? 0 : kSame;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = at(around, 0.5);
@@ -123,8 +143,8 @@ double Conics::change(Interval around, Places near, const Windows& before) const
 
 // Steps are halved in which a parameter goes so far that it may have gone round the other way, as
 // where the conic passes a pole.
-void Conics::add_between(std::vector<double>& all, std::vector<Places>& places,
-                         double least) const {
+void FormImages::add_between(std::vector<double>& all, std::vector<Places>& places,
+                             double least) const {
   for (std::size_t i = 1; i < all.size();) {
     places[i] = both(all[i], places[i - 1]);
     bool goes_far = false;
@@ -145,7 +165,7 @@ void Conics::add_between(std::vector<double>& all, std::vector<Places>& places,
 
 // Steps of a run, and where a parameter of a chart turns back between them: it may pass a seam
 // there and come back.
-std::vector<double> Conics::lookouts(const Interval& run) const {
+std::vector<double> FormImages::lookouts(const Interval& run) const {
   std::vector<double> all;
   std::vector<Places> places;
   for (int i = 0; i <= kSamples + 1; ++i) {
@@ -174,7 +194,7 @@ std::vector<double> Conics::lookouts(const Interval& run) const {
 }
 
 // The changes of windows on a run without poles. Between two lookouts there may be several.
-void Conics::add_changes(const Interval& run, std::vector<double>& found) const {
+void FormImages::add_changes(const Interval& run, std::vector<double>& found) const {
   const std::vector<double> all = lookouts(run);
   Places here{place(0, all[0], {}), place(1, all[0], {})};
   Windows known = windows(here, {});
@@ -196,15 +216,18 @@ void Conics::add_changes(const Interval& run, std::vector<double>& found) const 
 }
 
 // Poles, seams and nodes, in increasing order; without the ends.
-std::vector<double> Conics::cuts(const Interval& range, const std::vector<double>& nodes) const {
+std::vector<double> FormImages::cuts(const Interval& range,
+                                     const std::vector<double>& nodes) const {
   std::vector<double> found;
   for (const double node : nodes)
     for (double t = node + kTurn * std::ceil((range.from - node) / kTurn); t < range.to; t += kTurn)
       if (t > range.from) found.push_back(t);
-  const Handle(Geom_Curve) curve = to_occt(conic_);
-  for (const ChartSheet* sheet : sheets_)
-    for (const Interval& part : CurveBeside(curve, range, sheet->feet).between_poles(range))
-      if (part.from > range.from) found.push_back(part.from);
+  if (const Conic* conic = std::get_if<Conic>(&form_)) {  // pipes have no poles
+    const Handle(Geom_Curve) curve = to_occt(*conic);
+    for (const ChartSheet* sheet : sheets_)
+      for (const Interval& part : CurveBeside(curve, range, sheet->feet).between_poles(range))
+        if (part.from > range.from) found.push_back(part.from);
+  }
   std::ranges::sort(found);
   for (const Interval& run : parts_of(range, found)) add_changes(run, found);
   std::ranges::sort(found);
@@ -216,19 +239,8 @@ std::vector<double> Conics::cuts(const Interval& range, const std::vector<double
   return found;
 }
 
-// Rounding does not take a point over a seam.
-Vec2 on_seam(const ChartSheet& sheet, Vec2 uv) {
-  for (int d = 0; d < 2; ++d)
-    for (const double side : {-0.5, 0.5}) {
-      const double seam = sheet.middle[d] + side * sheet.period[d];
-      if (sheet.period[d] > 0 && std::abs(uv[d] - seam) <= kRounding * sheet.period[d])
-        uv[d] = seam;
-    }
-  return uv;
-}
-
 // Whether the image is straight is told by points inside, so that poles at the ends do not matter.
-Conics::Chart Conics::chart_of(std::size_t k, const Interval& part) const {
+FormImages::Chart FormImages::chart_of(std::size_t k, const Interval& part) const {
   const ChartSheet& sheet = *sheets_[k];
   const Vec2 middle = uv(k, at(part, 0.5), std::nullopt);
   const Vec2 low = uv(k, at(part, 0.25), middle), high = uv(k, at(part, 0.75), middle);
@@ -242,7 +254,7 @@ Conics::Chart Conics::chart_of(std::size_t k, const Interval& part) const {
   chart.straight = true;
   for (const double t : {kBeside, 0.1, 0.25, 0.4, 0.65, 0.9, 1 - kBeside}) {
     const Vec2 on_line = chart.start + t * chart.step;
-    const Vec3 point = point_at(conic_, at(part, t));
+    const Vec3 point = jet_of(form_, at(part, t))[0];
     chart.straight =
         chart.straight && sheet.feet.gap(point, on_line) <=
                               sheet.feet.gap(point, uv(k, at(part, t), on_line)) + allowed;
@@ -251,15 +263,16 @@ Conics::Chart Conics::chart_of(std::size_t k, const Interval& part) const {
 }
 
 // Of an image that is no straight line, away from poles, not shifted.
-std::array<Vec2, 3> Conics::bent_jet(std::size_t k, double t, std::optional<Vec2>& near) const {
+std::array<Vec2, 3> FormImages::bent_jet(std::size_t k, double t, std::optional<Vec2>& near) const {
   const Vec2 at = uv(k, t, near);
   near = at;
   const Handle(Geom_Surface)& surface = sheets_[k]->feet.surface();
   const SurfaceJet frame = frame_at(surface, at);
   const SurfaceBend bend = bend_at(surface, at);
-  const Vec2 first = chart_step(frame, derivative_at(conic_, t));
-  const Vec3 left = second_derivative_at(conic_, t) - first[0] * first[0] * bend.uu -
-                    2 * first[0] * first[1] * bend.uv - first[1] * first[1] * bend.vv;
+  const std::array<Vec3, 3> jet = jet_of(form_, t);
+  const Vec2 first = chart_step(frame, jet[1]);
+  const Vec3 left = jet[2] - first[0] * first[0] * bend.uu - 2 * first[0] * first[1] * bend.uv -
+                    first[1] * first[1] * bend.vv;
   return {at, first, chart_step(frame, left)};
 }
 
@@ -267,20 +280,21 @@ std::array<Vec2, 3> Conics::bent_jet(std::size_t k, double t, std::optional<Vec2
 // and its second derivative is that of the piece of degree 4 from the pole to a place beside it. By
 // Taylor from the pole, with x from there to that place, where the image is q, q' and q'':
 //   p'' = 12 (q - p - p' x) / x^2 - 6 (q' - p') / x + q''
-std::array<Vec2, 3> Conics::pole_jet(std::size_t k, double pole, double beside,
-                                     std::optional<Vec2>& near) const {
+std::array<Vec2, 3> FormImages::pole_jet(std::size_t k, double pole, double beside,
+                                         std::optional<Vec2>& near) const {
   std::optional<Vec2> aside = near;
   const double x = beside - pole;
   const std::array<Vec2, 3> q = bent_jet(k, beside, aside);
-  const CurveBeside curve(to_occt(conic_), {pole, beside}, sheets_[k]->feet);
+  const CurveBeside curve(to_occt(std::get<Conic>(form_)), {pole, beside}, sheets_[k]->feet);
   const CurveOnSurfaceJet p = curve.end_jet(pole, beside, aside);
   near = p.uv;
   return {p.uv, p.uv_rate,
           (12 / (x * x)) * (q[0] - p.uv - x * p.uv_rate) - (6 / x) * (q[1] - p.uv_rate) + q[2]};
 }
 
-std::array<Vec2, 3> Conics::chart_jet(std::size_t k, const Chart& chart, const Interval& part,
-                                      double t, double beside, std::optional<Vec2>& near) const {
+std::array<Vec2, 3> FormImages::chart_jet(std::size_t k, const Chart& chart, const Interval& part,
+                                          double t, double beside,
+                                          std::optional<Vec2>& near) const {
   const double share = (t - part.from) / length(part);
   if (chart.straight)
     return {on_seam(*sheets_[k], chart.start + share * chart.step), (1 / length(part)) * chart.step,
@@ -291,10 +305,10 @@ std::array<Vec2, 3> Conics::chart_jet(std::size_t k, const Chart& chart, const I
 }
 
 // Hermite pieces of degree 5.
-IntersectionCurve Conics::fitted(const std::array<Chart, 2>& charts,
-                                 const std::vector<double>& knots) const {
+IntersectionCurve FormImages::fitted(const std::array<Chart, 2>& charts,
+                                     const std::vector<double>& knots) const {
   IntersectionCurve curve;
-  curve.conic = conic_;
+  if (const Conic* conic = std::get_if<Conic>(&form_)) curve.conic = *conic;
   const Interval part{knots.front(), knots.back()};
   const double half_way = at(part, 0.5);
   std::array<std::optional<Vec2>, 2> near;
@@ -307,8 +321,7 @@ IntersectionCurve Conics::fitted(const std::array<Chart, 2>& charts,
   std::array<std::array<Vec2, 3>, 2> chart{};
   for (std::size_t i = 0; i < knots.size(); ++i) {
     const double t = knots[i], beside = i == 0 ? knots[1] : knots[i - 1];
-    const std::array<Vec3, 3> now{point_at(conic_, t), derivative_at(conic_, t),
-                                  second_derivative_at(conic_, t)};
+    const std::array<Vec3, 3> now = jet_of(form_, t);
     const std::array<std::array<Vec2, 3>, 2> charts_now{
         chart_jet(0, charts[0], part, t, beside, near[0]),
         chart_jet(1, charts[1], part, t, beside, near[1])};
@@ -335,8 +348,8 @@ IntersectionCurve Conics::fitted(const std::array<Chart, 2>& charts,
   return curve;
 }
 
-Deviation Conics::sampled(const IntersectionCurve& curve, double t) const {
-  const Vec3 point = point_at(conic_, t);
+Deviation FormImages::sampled(const IntersectionCurve& curve, double t) const {
+  const Vec3 point = jet_of(form_, t)[0];
   const Vec2 uv_a = point_at(curve.chart_a, t), uv_b = point_at(curve.chart_b, t);
   return {sheets_[0]->feet.gap(point, uv_a), sheets_[1]->feet.gap(point, uv_b),
           distance(frame_at(sheets_[0]->feet.surface(), uv_a).point,
@@ -344,11 +357,23 @@ Deviation Conics::sampled(const IntersectionCurve& curve, double t) const {
           false, distance(point, point_at(curve.curve, t))};
 }
 
+// The parameter becomes arc length on average, and the spline is all there is of the curve in
+// space.
+void take_for_length(IntersectionCurve& curve) {
+  const double from = curve.curve.knots.front(), rate = curve.length / length(curve.curve.domain());
+  for (std::vector<double>* parameters :
+       {&curve.curve.knots, &curve.chart_a.knots, &curve.chart_b.knots, &curve.sample_parameters})
+    for (double& t : *parameters) t = rate * (t - from);
+  curve.deviation.conic = 0;
+}
+
 // Pieces are halved where they are off, as beside a pole, until that does not help any more.
-std::optional<IntersectionCurve> Conics::curve_on(const Interval& part) const {
+std::optional<IntersectionCurve> FormImages::curve_on(const Interval& part) const {
   const std::array charts{chart_of(0, part), chart_of(1, part)};
-  const bool straight = charts[0].straight && charts[1].straight && conic_.kind == ConicKind::Line;
-  const double sixth = sixth_derivative_bound(conic_, part);
+  const Conic* conic = std::get_if<Conic>(&form_);
+  const bool is_line = conic != nullptr && conic->kind == ConicKind::Line;
+  const bool straight = charts[0].straight && charts[1].straight && is_line;
+  const double sixth = conic != nullptr ? sixth_derivative_bound(*conic, part) : 0;
   const double width = sixth > 0 ? std::pow(46080 * kFit * slack_ / sixth, 1.0 / 6) : length(part);
   const double wanted = straight ? 0 : length(part) / width;
   if (!(wanted < kMaxPieces)) return {};
@@ -377,7 +402,8 @@ std::optional<IntersectionCurve> Conics::curve_on(const Interval& part) const {
     knots = std::move(finer);
   }
   if (!(off <= 2 * slack_)) return {};
-  curve.length = arc_length(conic_, part);
+  curve.length = std::visit([&](const auto& form) { return arc_length(form, part); }, form_);
+  if (conic == nullptr) take_for_length(curve);
   return curve;
 }
 
@@ -406,36 +432,20 @@ void close(const std::array<const ChartSheet*, 2>& sheets, IntersectionCurve& cu
 
 }  // namespace
 
-ChartSheet sheet_of(const SurfaceProjector& feet, const BezierSurface& surface) {
-  ChartSheet sheet{feet,
-                   {0.5 * (surface.u_knots.front() + surface.u_knots.back()),
-                    0.5 * (surface.v_knots.front() + surface.v_knots.back())},
-                   {}};
-  if (feet.surface()->IsUPeriodic()) sheet.period[0] = feet.surface()->UPeriod();
-  if (feet.surface()->IsVPeriodic()) sheet.period[1] = feet.surface()->VPeriod();
-  return sheet;
-}
-
-Vec2 in_sheet(const ChartSheet& sheet, Vec2 uv) {
-  for (int d = 0; d < 2; ++d)
-    if (sheet.period[d] > 0)
-      uv[d] -= sheet.period[d] * std::round((uv[d] - sheet.middle[d]) / sheet.period[d]);
-  return uv;
-}
-
-std::optional<std::vector<IntersectionCurve>> conic_on_sheets(
-    const Conic& conic, const Interval& range, const std::vector<double>& nodes,
+std::optional<std::vector<IntersectionCurve>> curves_on_sheets(
+    const ClosedForm& form, const Interval& range, const std::vector<double>& nodes,
     const std::array<const ChartSheet*, 2>& sheets, double slack) {
-  const bool is_whole = conic.is_closed() && length(range) >= kTurn;
+  const Conic* conic = std::get_if<Conic>(&form);
+  const bool is_whole = (conic == nullptr || conic->is_closed()) && length(range) >= kTurn;
   Interval whole = range;
-  Conics all(conic, sheets, slack);
+  FormImages all(form, sheets, slack);
   std::vector<double> from_nodes = nodes, cuts = all.cuts(whole, nodes);
   if (is_whole && !cuts.empty()) {
     // Begun there, it may turn out to be cut where it began before.
     // Rounded so that the whole is as long as a turn to the last digit.
     const double start = (cuts.front() + length(range)) - length(range);
-    if (conic.kind == ConicKind::Circle) {
-      all = Conics(turned_to(conic, start), sheets, slack);
+    if (conic != nullptr && conic->kind == ConicKind::Circle) {
+      all = FormImages(turned_to(*conic, start), sheets, slack);
       for (double& node : from_nodes) node -= start;
     } else {
       whole = {start, start + length(range)};

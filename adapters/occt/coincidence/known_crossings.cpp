@@ -106,7 +106,7 @@ class KnownCrossings {
     const Interval range = range_of(known.conic, common_);
     if (!(range.from < range.to)) return true;
     auto parts =
-        conic_on_sheets(known.conic, range, known.nodes, sheets_, std::max(known.gap, tolerance_));
+        curves_on_sheets(known.conic, range, known.nodes, sheets_, std::max(known.gap, tolerance_));
     if (!parts) return false;
     for (IntersectionCurve& curve : *parts) {
       curve.tangential = known.tangential;
@@ -116,6 +116,16 @@ class KnownCrossings {
         found_.places.push_back(
             place_of(curve.samples, PlaceKind::Tangential, known.gap, tolerance_));
       }
+      found_.curves.push_back(std::move(curve));
+    }
+    return true;
+  }
+
+  bool add(const PipeCrossing& known) {
+    auto parts = curves_on_sheets(known, {0, kTurn}, known.nodes, sheets_, tolerance_);
+    if (!parts) return false;
+    for (IntersectionCurve& curve : *parts) {
+      curve.least_angle = least_angle(curve);
       found_.curves.push_back(std::move(curve));
     }
     return true;
@@ -227,6 +237,8 @@ std::optional<SurfaceIntersection> known_crossings(const TopoDS_Face& face_a, co
   KnownCrossings crossings(sheets, trims, common, within, tolerance);
   for (const MeetingCurve& curve : known->curves)
     if (!crossings.add(curve)) return {};
+  for (const PipeCrossing& crossing : known->crossings)
+    if (!crossings.add(crossing)) return {};
   for (const MeetingPoint& point : known->points) crossings.add(point);
   for (const MeetingNode& node : known->nodes) crossings.add_node(node);
   return std::move(crossings).result();
@@ -242,9 +254,10 @@ void prove_deviations(const TopoDS_Face& face_a, const FaceData& a, const TopoDS
   const auto chart_a = elementary_chart(BRep_Tool::Surface(face_a));
   const auto chart_b = elementary_chart(BRep_Tool::Surface(face_b));
   for (IntersectionCurve& curve : found.curves) {
-    if (!curve.conic || curve.deviation.proven) continue;
+    if (curve.deviation.proven) continue;
     std::optional<Deviation> known;
-    if (chart_a && chart_b) known = conic_deviation(curve, *chart_a, *chart_b, tolerance);
+    if (curve.conic && chart_a && chart_b)
+      known = conic_deviation(curve, *chart_a, *chart_b, tolerance);
     curve.deviation = known ? *known : proven_deviation(curve, a.surface, b.surface);
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The lines, conics and points that two faces are known to have in common, as curves on both.
+// The lines, conics, crossings of pipes and points that two faces are known to have in common, as
+// curves on both.
 
 #pragma once
 
@@ -8,14 +9,14 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/faces/face_data.h"
-#include "core/forms/elementary_meeting.h"
+#include "core/forms/meetings/elementary_meeting.h"
 #include "core/results/result.h"
 
 namespace blossom::occt {
 
 /// The intersection of the surfaces of two faces by closed forms.
 ///
-/// Conics are cut where they pass a seam or a pole, and go on beyond the faces: their deviations
+/// Curves are cut where they pass a seam or a pole, and go on beyond the faces: their deviations
 /// are to be proven once they are clipped. Contacts are curves that are tangential, or
 /// points, with their places; the status is Tolerance if one is wider than `within`.
 ///

@@ -14,6 +14,8 @@
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
+#include <Precision.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
@@ -66,6 +68,24 @@ std::optional<Elementary> elementary_of(const Adaptor3d_Surface& surface) {
   }
 }
 
+// The torus of a circle in a plane through the axis, which Open CASCADE does not always know.
+std::optional<Elementary> turned_circle(const Geom_SurfaceOfRevolution& turned) {
+  const GeomAdaptor_Curve basis(turned.BasisCurve());
+  if (basis.GetType() != GeomAbs_Circle) return {};
+  const gp_Circ circle = basis.Circle();
+  if (!circle.Position().IsCoplanar(turned.Axis(), Precision::Confusion(), Precision::Angular()))
+    return {};
+  Elementary torus;
+  torus.kind = ElementaryKind::Torus;
+  torus.axis = vec(turned.Direction().XYZ());
+  const Vec3 foot = vec(turned.Location().XYZ()), middle = vec(circle.Location().XYZ());
+  torus.centre = foot + dot(middle - foot, torus.axis) * torus.axis;
+  torus.radius = distance(middle, torus.centre);
+  torus.minor = circle.Radius();
+  if (torus.radius <= torus.minor) return {};
+  return torus;
+}
+
 // Where a line is inside of a box; empty, from > to, if it misses it.
 Interval inside(const Box& box, const Vec3& start, const Vec3& direction) {
   Interval range{-kUnbounded, kUnbounded};
@@ -115,7 +135,8 @@ std::optional<Elementary> elementary_of(const Handle(Geom_Surface) & surface) {
   if (const auto turned = Handle(Geom_SurfaceOfRevolution)::DownCast(basis)) {
     GeomAdaptor_SurfaceOfRevolution adaptor(new GeomAdaptor_Curve(turned->BasisCurve()),
                                             turned->Axis());
-    return elementary_of(static_cast<const Adaptor3d_Surface&>(adaptor));
+    const auto known = elementary_of(static_cast<const Adaptor3d_Surface&>(adaptor));
+    return known ? known : turned_circle(*turned);
   }
   if (const auto drawn = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(basis)) {
     GeomAdaptor_SurfaceOfLinearExtrusion adaptor(new GeomAdaptor_Curve(drawn->BasisCurve()),

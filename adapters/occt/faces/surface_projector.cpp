@@ -38,6 +38,25 @@ std::optional<Vec3> one_point(const std::function<gp_Pnt(double)>& border, const
   }
 }
 
+bool is_endless(const Interval& range) {
+  return Precision::IsInfinite(range.from) || Precision::IsInfinite(range.to);
+}
+
+// Whether the borders at both ends of a range are one: also of an arc that closes but for rounding,
+// which Open CASCADE does not count as closed.
+bool meet(const std::function<gp_Pnt(double)>& first, const std::function<gp_Pnt(double)>& last,
+          const Interval& range, const Interval& along) {
+  if (is_endless(range) || is_endless(along)) return false;
+  try {
+    for (const double part : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})
+      if (first(at(along, part)).Distance(last(at(along, part))) > Precision::Confusion())
+        return false;
+    return true;
+  } catch (const Standard_Failure&) {
+    return false;
+  }
+}
+
 // Not the rectangle of it: wires bound the face, and what goes round keeps its period.
 Handle(Geom_Surface) whole_surface(const TopoDS_Face& face) {
   return basis_of(BRep_Tool::Surface(face));
@@ -78,8 +97,15 @@ ProjectedSurface projected(const Handle(Geom_Surface) & surface, double toleranc
   if (surface->IsUPeriodic()) made.period[0] = surface->UPeriod();
   if (surface->IsVPeriodic()) made.period[1] = surface->VPeriod();
   surface->Bounds(made.low[0], made.high[0], made.low[1], made.high[1]);
-  if (made.period[0] == 0 && surface->IsUClosed()) made.closed[0] = made.high[0] - made.low[0];
-  if (made.period[1] == 0 && surface->IsVClosed()) made.closed[1] = made.high[1] - made.low[1];
+  const Interval u{made.low[0], made.high[0]}, v{made.low[1], made.high[1]};
+  const auto at_v = [&](double fixed) {
+    return [&surface, fixed](double t) { return surface->Value(t, fixed); };
+  };
+  const auto at_u = [&](double fixed) {
+    return [&surface, fixed](double t) { return surface->Value(fixed, t); };
+  };
+  if (made.period[0] == 0 && meet(at_u(u.from), at_u(u.to), u, v)) made.closed[0] = length(u);
+  if (made.period[1] == 0 && meet(at_v(v.from), at_v(v.to), v, u)) made.closed[1] = length(v);
   made.poles = poles_of(surface);
   return made;
 }

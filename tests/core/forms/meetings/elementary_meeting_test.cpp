@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/forms/elementary_meeting.h"
+#include "core/forms/meetings/elementary_meeting.h"
 
 namespace blossom {
 namespace {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/forms/elementary_meeting.h"
+#include "core/forms/meetings/elementary_meeting.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "core/forms/meetings/pipe_meeting.h"
 
 namespace blossom {
 namespace {
@@ -484,7 +486,7 @@ std::optional<ElementaryMeeting> elementary_meeting(const Elementary& a, const E
     return sphere_beside_cylinder(b, a, limits);
   if (a.kind == ElementaryKind::Sphere && b.kind == ElementaryKind::Cylinder)
     return sphere_beside_cylinder(a, b, limits);
-  return {};
+  return meeting_of_pipes(a, b, limits);
 }
 
 }  // namespace blossom
