@@ -37,7 +37,8 @@
 namespace blossom::occt {
 namespace {
 
-// Faces that leave an edge in directions closer than this are not told apart. Radians.
+// Faces that leave an edge in directions closer than this, and bend away from each other by no more
+// over half of its length, are not told apart. Radians.
 constexpr double kMinAngle = 1e-6;
 constexpr const char* kMakingSolids = "making solids";
 constexpr double kStep = 1e-3;  // of an edge's length: how far into a face is looked
@@ -59,11 +60,13 @@ struct EdgeUse {
   TopoDS_Edge edge;  // as the face uses it
   bool forward = false;
   double angle = 0;  // of the way into the face, about the edge's direction
+  double bend = 0;   // by which the way turns to greater angles over half of the edge's length
 };
 
 struct Corner {
   Vec3 along;    // direction of the edge
   Vec3 inwards;  // from it into the face, a short way along the surface
+  double bend;   // curvature of that way about the edge, times half of its length
 };
 
 // At a use of an edge, in the middle of it. Faces that are tangential there bend apart.
@@ -82,7 +85,14 @@ Corner corner_of(const EdgeUse& use, const TopoDS_Face& face) {
   const Vec3 left = cross(unit(cross(frame.du, frame.dv)), direction);
   const double step = kStep * length(range) * along.Magnitude() * (turned ? -1 : 1);
   const Vec2 beside = feet.foot(frame.point + step * left, Vec2{uv.X(), uv.Y()});
-  return {direction, frame_at(feet.surface(), beside).point - frame.point};
+  const Vec2 rate = chart_step(frame, left);
+  const SurfaceBend of = bend_at(feet.surface(), {uv.X(), uv.Y()});
+  const Vec3 curvature =
+      rate[0] * rate[0] * of.uu + 2 * rate[0] * rate[1] * of.uv + rate[1] * rate[1] * of.vv;
+  const Vec3 rise = cross(direction, turned ? -1.0 * left : left);
+  const double bend = 0.5 * std::abs(step) / kStep * dot(curvature, rise);
+  return {direction, frame_at(feet.surface(), beside).point - frame.point,
+          std::isfinite(bend) ? bend : 0};
 }
 
 // Sets the angles about the edge, against the first use.
@@ -96,6 +106,7 @@ void measure(std::vector<EdgeUse>& uses, const std::vector<BoundingFace>& faces)
       y = cross(along, x);
     }
     use.angle = std::atan2(dot(corner.inwards, y), dot(corner.inwards, x));
+    use.bend = corner.bend;
   }
 }
 
@@ -108,6 +119,41 @@ bool is_other_side(const EdgeUse& use, const EdgeUse& next,
   return use.forward && !next.forward && faces[use.face].face.IsSame(faces[next.face].face);
 }
 
+// Whether uses in their order about the edge are forward ones and reversed ones by turns, of which
+// each leaves it in another direction than the next, or bends away from it.
+bool are_told_apart(const std::vector<EdgeUse>& uses, const std::vector<BoundingFace>& faces) {
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const bool at_last = i + 1 == uses.size();
+    const EdgeUse &use = uses[i], &next = uses[at_last ? 0 : i + 1];
+    const double turn = next.angle - use.angle + (at_last ? 2 * std::numbers::pi : 0);
+    const bool is_next =
+        turn >= kMinAngle || next.bend - use.bend >= kMinAngle || is_other_side(use, next, faces);
+    if (use.forward == next.forward || !is_next) return false;
+  }
+  return true;
+}
+
+// Uses that leave the edge in one direction are sorted by how they bend. None of them is apart from
+// the others by half a turn, where angles begin anew.
+void sort_by_bends(std::vector<EdgeUse>& uses) {
+  const auto is_apart = [](const EdgeUse& use, const EdgeUse& next) {
+    return next.angle - use.angle >= kMinAngle;
+  };
+  const auto gap = std::ranges::adjacent_find(uses, is_apart);
+  if (gap != uses.end()) {
+    std::for_each(uses.begin(), gap + 1, [](EdgeUse& use) { use.angle += 2 * std::numbers::pi; });
+    std::rotate(uses.begin(), gap + 1, uses.end());
+  }
+  for (auto from = uses.begin(); from != uses.end();) {
+    const auto last = std::adjacent_find(from, uses.end(), is_apart);
+    const auto to = last == uses.end() ? last : last + 1;
+    std::sort(from, to, [](const EdgeUse& a, const EdgeUse& b) {
+      return a.bend < b.bend || (a.bend == b.bend && a.forward && !b.forward);
+    });
+    from = to;
+  }
+}
+
 // Sorts the uses about their edge: the body lies behind the faces, so from a reversed use on to the
 // next one, which is a forward one. Returns why that cannot be told.
 std::string sort_about(std::vector<EdgeUse>& uses, const std::vector<BoundingFace>& faces) {
@@ -115,14 +161,9 @@ std::string sort_about(std::vector<EdgeUse>& uses, const std::vector<BoundingFac
   std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
     return a.angle < b.angle || (a.angle == b.angle && a.forward && !b.forward);
   });
-  for (std::size_t i = 0; i < uses.size(); ++i) {
-    const bool at_last = i + 1 == uses.size();
-    const EdgeUse &use = uses[i], &next = uses[at_last ? 0 : i + 1];
-    const double turn = next.angle - use.angle + (at_last ? 2 * std::numbers::pi : 0);
-    if (use.forward == next.forward || (turn < kMinAngle && !is_other_side(use, next, faces)))
-      return "faces that meet in one edge cannot be told apart";
-  }
-  return {};
+  if (are_told_apart(uses, faces)) return {};
+  sort_by_bends(uses);
+  return are_told_apart(uses, faces) ? "" : "faces that meet in one edge cannot be told apart";
 }
 
 // The uses of each edge, sorted about it where they are more than two.

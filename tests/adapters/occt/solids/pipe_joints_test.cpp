@@ -97,6 +97,15 @@ TEST(PipeJoints, ElbowsThatGoApartAreProven) {
   expect_sums(torus, elbow(45, 40, true));
 }
 
+// Beside a node of the joint, where the seam of the pipe leaves an edge of 0.8 between both, they
+// leave it in one direction for longer than such an edge tells by steps into its faces.
+TEST(PipeJoints, FacesThatTouchAlongAShortEdgeAreToldApartByHowTheyBend) {
+  const TopoDS_Shape bent = elbow(40, 0, true), pipe = bent_by(92.1916, straight(-25, 5));
+  const double whole = testing::kPi * kPipeRadius * kPipeRadius * 30;
+  const double common = volume_of(SolidOperation::Common, pipe, bent);
+  EXPECT_NEAR(volume_of(SolidOperation::Cut, pipe, bent), whole - common, 1e-6);
+}
+
 TEST(PipeJoints, ABallOfTheTubeEndsAnElbow) {
   const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(kPipeRadius).Shape();
   const double half = 2 * testing::kPi / 3 * kPipeRadius * kPipeRadius * kPipeRadius;
