@@ -13,6 +13,8 @@
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepAlgoAPI_Splitter.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
@@ -24,12 +26,16 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeHalfSpace.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <gp.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/blending/continuity.h"
@@ -142,6 +148,66 @@ TEST(FilletCorner, OfThreeEdgesInAnAcutePeakIsASphere) {
     spheres +=
         Handle(Geom_SphericalSurface)::DownCast(BRep_Tool::Surface(each.face)).IsNull() ? 0 : 1;
   EXPECT_EQ(spheres, 1);
+}
+
+// A hexagonal head whose corners a cone cuts off, turned about its axis; and its sharp edges.
+struct Head {
+  TopoDS_Shape shape;
+  std::vector<int> edges;
+};
+
+Head hexagonal_head(double turn) {
+  BRepBuilderAPI_MakePolygon hexagon;
+  for (int i = 0; i < 6; ++i)
+    hexagon.Add(gp_Pnt(12 * std::cos(i * std::numbers::pi / 3),
+                       12 * std::sin(i * std::numbers::pi / 3), 0));
+  hexagon.Close();
+  const TopoDS_Shape prism =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(hexagon.Wire()), gp_Vec(0, 0, 10)).Shape();
+  const gp_Ax2 frame(gp::Origin(), gp::DZ(), gp_Dir(std::cos(turn), std::sin(turn), 0));
+  const TopoDS_Shape made =
+      BRepAlgoAPI_Common(prism, BRepPrimAPI_MakeCone(frame, 18, 9, 12).Shape()).Shape();
+  return {made, sharp_edges(made)};
+}
+
+// The cone's seam is a smooth edge: one of its ends is in a corner, or it comes to the edge beside
+// that.
+TEST(FilletCorner, IsASphereWhereASmoothEdgeComesToIt) {
+  const Head plain = hexagonal_head(std::numbers::pi / 6);
+  for (const double radius : {0.2, 1.4}) {
+    const FilletResult like = fillet(plain.shape, plain.edges, {.radius = radius});
+    expect_sound(like);
+    for (const double turn : {0.0, 0.05}) {
+      const Head head = hexagonal_head(turn);
+      const FilletResult made = fillet(head.shape, head.edges, {.radius = radius});
+      expect_sound(made);
+      EXPECT_NEAR(made.solids.front().volume, like.solids.front().volume, 1e-4);
+      expect_smooth(made, 0);
+    }
+  }
+}
+
+// A smooth edge parts the box's upper face, and one of its ends is in a corner: what it leaves of
+// one part there is narrower than the strips.
+TEST(FilletCorner, IsASphereOnOneSideOfASmoothEdge) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
+  for (const double y : {1.0, 4.0, 10.0}) {
+    TopTools_ListOfShape parts, lines;
+    parts.Append(box);
+    lines.Append(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 10), gp_Pnt(10, y, 10)).Edge());
+    BRepAlgoAPI_Splitter split;
+    split.SetArguments(parts);
+    split.SetTools(lines);
+    split.Build();
+    const TopoDS_Shape shape = split.Shape();
+    const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = 2});
+    expect_sound(made);
+    const double s = 6, r = 2;
+    EXPECT_NEAR(made.solids.front().volume,
+                s * s * s + 6 * s * s * r + 3 * std::numbers::pi * r * r * s +
+                    4 * std::numbers::pi / 3 * r * r * r,
+                1e-6);
+  }
 }
 
 // The concave edge comes first; along its end the upper edges become one, which comes to the third

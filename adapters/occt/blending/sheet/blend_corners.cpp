@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where strips meet in a vertex: mitres of two, spheres of three or more.
+// Where strips meet in a vertex: mitres of two, and which corner more of them make.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Geom_SphericalSurface.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
-#include <gp_Ax3.hxx>
 
-#include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/limits.h"
@@ -27,40 +22,8 @@
 namespace blossom::occt {
 namespace {
 
-constexpr int kSecantSteps = 60;
 constexpr int kMitreSamples = 8;
 constexpr std::size_t kMitreEdges = 2;  // on one side between strips in a mitre, with a face
-constexpr int kCapSteps = 256;          // the middle is within about 1 / 256 then
-constexpr int kAxes = 24;  // directions in half a turn that a sphere's axis is chosen from
-
-// The distance of a point from a face's surface, positive outside of the material.
-double height_over(const TopoDS_Face& face, const Vec3& point) {
-  const double height = SurfaceProjector(face, Precision::Confusion()).height(point);
-  return face.Orientation() == TopAbs_REVERSED ? -height : height;
-}
-
-// Where the ball of a strip touches one more face, near an end: a zero by the secant method.
-std::optional<double> touches(const RolledStrip& strip, const TopoDS_Face& face, double near,
-                              double inwards) {
-  const double wanted = strip.concave ? strip.radius : -strip.radius;
-  const auto off = [&](double t) {
-    return height_over(face, vec(strip.spine->Value(t).XYZ())) - wanted;
-  };
-  const double speed = strip.contacts[0].curve->DN(near, 1).Magnitude();
-  double t = near, last = near + inwards * strip.radius / speed;
-  double f = off(t), f_last = off(last);
-  for (int i = 0; i < kSecantSteps && f != 0; ++i) {
-    if (f == f_last) break;
-    const double next =
-        std::clamp(t - f * (t - last) / (f - f_last), strip.range.from, strip.range.to);
-    last = t;
-    f_last = f;
-    t = next;
-    f = off(t);
-    if (t == last) break;
-  }
-  return std::abs(f) < Precision::Confusion() ? std::optional(t) : std::nullopt;
-}
 
 // Points of a strip are as far from its spine as the ball's radius.
 bool lies_on_ball_strip(const EndCurve& curve, const RolledStrip& strip, double reach) {
@@ -76,42 +39,6 @@ bool lies_on_ball_strip(const EndCurve& curve, const RolledStrip& strip, double 
 
 bool is_spline(const RolledStrip& strip) {
   return !Handle(Geom_BSplineSurface)::DownCast(strip.surface).IsNull();
-}
-
-// The middle of the smallest cap of the unit sphere that holds some directions: ever smaller steps
-// towards the farthest one (Badoiu and Clarkson 2003). Of normals that one half-space holds it has
-// them all within a right angle, which their sum need not.
-Vec3 middle_of(const std::vector<Vec3>& directions) {
-  Vec3 sum{};
-  for (const Vec3& each : directions) sum += each;
-  Vec3 middle = unit(sum);
-  for (int i = 1; i <= kCapSteps; ++i) {
-    const Vec3 farthest = *std::ranges::min_element(
-        directions, {}, [&](const Vec3& each) { return dot(each, middle); });
-    middle = unit(middle + (1.0 / (i + 1)) * (farthest - middle));
-  }
-  return middle;
-}
-
-// The axis across the middle of a spherical polygon whose poles are as far from it as can be.
-Vec3 axis_apart(const Vec3& middle, const std::vector<Vec3>& corners) {
-  const Vec3 a = unit(cross(middle, corners.front())), b = cross(middle, a);
-  Vec3 best = a;
-  double least = 1;
-  for (int i = 0; i < kAxes; ++i) {
-    const double angle = i * std::numbers::pi / kAxes;
-    const Vec3 axis = std::cos(angle) * a + std::sin(angle) * b;
-    double nearest = 0;  // by the cosine, over corners and middles of sides
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Vec3& corner = corners[k];
-      const Vec3 half = unit(corner + corners[(k + 1) % corners.size()]);
-      nearest = std::max({nearest, std::abs(dot(axis, corner)), std::abs(dot(axis, half))});
-    }
-    if (nearest >= least) continue;
-    least = nearest;
-    best = axis;
-  }
-  return best;
 }
 
 }  // namespace
@@ -309,67 +236,6 @@ void BlendSheet::turn_path(const DirectedEdge& half) {
   std::vector<PathEdge>& path = end_of(half).path;
   std::reverse(path.begin(), path.end());
   for (PathEdge& each : path) each.forward = !each.forward;
-}
-
-// Where all edges at a vertex have strips of one radius and kind, and one ball touches all faces
-// there: the strips end in great circles of it. False, and nothing is done, where none does.
-bool BlendSheet::ball_corner(const Ring& ring) {
-  const std::size_t count = ring.size();
-  const DirectedEdge first = ring.front().half;
-  for (const VertexSector& each : ring) {
-    if (!is_filleted(each.half.edge)) return false;
-    const RolledStrip &of = strip_of(each.half).strip, &strip = strip_of(first).strip;
-    if (!of.is_ball || of.concave != strip.concave || of.radius != strip.radius) return false;
-  }
-  const RolledStrip& strip = strip_of(first).strip;
-  const double inwards = is_low_end(first) ? 1 : -1;
-  const auto t = touches(strip, body_.face(ring[1].face), end_t(first), inwards);
-  if (!t) return false;
-  const Vec3 centre = vec(strip.spine->Value(*t).XYZ());
-  std::vector<double> places(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const RolledStrip& of = strip_of(ring[i].half).strip;
-    places[i] = nearest_on(of.spine, of.range, centre);
-    if (distance(vec(of.spine->Value(places[i]).XYZ()), centre) > kSamePlace * tolerance_)
-      return false;
-  }
-  std::vector<TopoDS_Vertex> feet(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const RolledStrip& of = strip_of(ring[i].half).strip;
-    const double at = places[i];
-    end_of(ring[i].half).t = {at, at};
-    const Vec3 foot = vec(of.contacts[left_side(ring[i].half)].curve->Value(at).XYZ());
-    feet[i] = new_vertex(foot);
-  }
-  std::vector<Vec3> towards;
-  for (const TopoDS_Vertex& foot : feet) towards.push_back(unit(point_of(foot) - centre));
-  const Vec3 x = middle_of(towards);
-  BlendPatch patch;
-  const gp_Ax3 frame(pnt(centre), dir(axis_apart(x, towards)), dir(x));
-  BRep_Builder().MakeFace(patch.face, new Geom_SphericalSurface(frame, strip.radius),
-                          Precision::Confusion());
-  const SurfaceProjector on_ball(patch.face, Precision::Confusion());
-  for (std::size_t i = 0; i < count; ++i) {
-    const DirectedEdge half = ring[i].half;
-    PlacedStrip& of = strip_of(half);
-    StripEnd& end = end_of(half);
-    end.vertices[left_side(half)] = feet[i];
-    end.vertices[right_side(half)] = feet[(i + count - 1) % count];
-    const TopoDS_Edge arc = section(of, end);
-    const bool forward = of.strip.contacts[0].w < of.strip.contacts[1].w;
-    end.path = {{arc, forward}};
-    add_chart(arc, of.strip.section_line(end.t[0]), of.strip.bare_face());
-    Interval range;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(arc, range.from, range.to);
-    add_chart(arc, image_of(curve, range, on_ball, Vec2{0, 0}, tolerance_).chart, patch.face);
-    // The strip walks from left to right of the vertex, the ball back.
-    const bool strip_forward = is_low_end(half) ? forward : !forward;
-    patch.edges.push_back(
-        TopoDS::Edge(arc.Oriented(strip_forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
-  }
-  patch.face.Orientation(strip.concave ? TopAbs_REVERSED : TopAbs_FORWARD);
-  patches_.push_back(std::move(patch));
-  return true;
 }
 
 // Several strips meet in a vertex.

@@ -190,6 +190,41 @@ class BlendSheet {
   std::optional<TopoDS_Edge> flat_end(const DirectedEdge& half, const TopoDS_Face& plane,
                                       const TopoDS_Vertex& from, const TopoDS_Vertex& to);
   bool crossed_corner(const Ring& ring);
+  /// A strip of a walk that begins in a vertex: where it ends towards that, and where the next
+  /// strip begins.
+  struct WalkPlace {
+    std::size_t strip = 0;
+    double inwards = 1;
+    double ends = 0;
+    std::optional<double> goes_on;
+  };
+  std::vector<WalkPlace> walk_from(const DirectedEdge& half);
+  /// Where the ball of a corner is in the strips of an edge.
+  struct BallEnd {
+    int left_out = 0;  // strips that begin beyond it
+    std::size_t strip = 0;
+    double t = 0;
+  };
+  struct BallSide {
+    std::size_t sector = 0;
+    BallEnd end;
+  };
+  /// Where it touches a face, or a smooth edge.
+  struct BallFoot {
+    Vec3 point;
+    std::optional<std::size_t> sector;  // that the edge begins
+    double parameter = 0;               // of the edge
+  };
+  std::vector<std::size_t> alike_strips(const Ring& ring) const;
+  std::optional<Vec3> corner_centre(const Ring& ring, const std::vector<std::size_t>& strips);
+  std::optional<BallEnd> ball_end(const DirectedEdge& half, const Vec3& centre);
+  std::optional<BallFoot> ball_foot(const Ring& ring, const BallSide& from,
+                                    const BallSide& to) const;
+  TopoDS_Vertex ball_vertex(const Ring& ring, const BallFoot& foot, const DirectedEdge& a,
+                            const DirectedEdge& b);
+  BlendPatch ball_patch(const RolledStrip& strip, const Vec3& centre,
+                        const std::vector<TopoDS_Vertex>& feet);
+  void end_in_circle(const DirectedEdge& half, BlendPatch& patch);
   bool ball_corner(const Ring& ring);
   void corner(const Ring& ring);
   /// A side of the hole that a fill closes in a corner: a section of a strip, a slanting line on

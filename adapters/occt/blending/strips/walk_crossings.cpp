@@ -47,9 +47,9 @@ std::vector<Notch> BallWalker::notches_beside(const WalkedStrip& of, std::size_t
   return all;
 }
 
-// Seams are none, as the face is the same behind them. Over the edge that it entered by, a contact
-// leaves its face only where it goes out of it: where faces do not quite touch, its way in is not
-// quite where the strip before ended.
+// Seams are none, as the face is the same behind them. Over the edge that it entered by, or that it
+// begins on, a contact leaves its face only where it goes out of it: where faces do not quite
+// touch, its way in is not quite where the strip before ended.
 std::optional<ContactCrossing> BallWalker::first_crossing(const WalkedStrip& of, std::size_t side,
                                                           double from, int ahead,
                                                           int entered) const {
@@ -63,8 +63,9 @@ std::optional<ContactCrossing> BallWalker::first_crossing(const WalkedStrip& of,
     const double speed = of.strip.contacts[contact].curve->DN(each.t, 1).Magnitude();
     const double room =
         kSamePlace * std::max(options_.tolerance, each.use->coedge->tolerance) / speed;
-    if (far < (each.use->edge == entered ? room : 0)) continue;
-    if (each.use->edge == entered && each.leaves != (ahead > 0)) continue;
+    const bool is_entered = each.use->edge == entered, leaves = each.leaves == (ahead > 0);
+    if (far < (is_entered ? room : -room) || (far < room && !leaves)) continue;
+    if (is_entered && !leaves) continue;
     if (is_seam_at(body_, each)) continue;
     if (std::ranges::any_of(round, [&](const Notch& notch) { return notch.has(each.t); })) continue;
     if (!best || far < ahead * (best->t - from)) best = each;
