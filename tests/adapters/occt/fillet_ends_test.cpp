@@ -174,6 +174,28 @@ TEST(FilletBesideABoss, IsTheSameWhereverItsSeamIs) {
   }
 }
 
+// A step across a bar: the bar's side grows up the step, also just beside the line of its seam.
+TEST(FilletOfAStep, IsTheSameWhereverTheSeamIs) {
+  for (const double radius : {0.5, 4.0}) {
+    const double added = integral(0, std::sqrt(radius), [&](double s) {
+      const double y = s * s;  // the root is smooth in s
+      return 4 * s * (radius - std::sqrt(2 * radius * y - y * y)) * std::sqrt(576 - y * y);
+    });
+    for (const double degrees : {0.0, 180.0, 90.0, 0.5}) {
+      const double angle = degrees * std::numbers::pi / 180;
+      const gp_Ax2 axis(gp::Origin(), gp::DZ(), {std::cos(angle), std::sin(angle), 0});
+      const TopoDS_Shape bar = BRepPrimAPI_MakeCylinder(axis, 24, 30).Shape();
+      const TopoDS_Shape shape =
+          BRepAlgoAPI_Cut(bar, BRepPrimAPI_MakeBox(gp_Pnt(-30, 0, 10), 60, 60, 60).Shape()).Shape();
+      const std::vector<int> edges =
+          edges_where(shape, EdgeKind::Concave, [](const Vec3&) { return true; });
+      ASSERT_EQ(edges.size(), 1U);
+      SCOPED_TRACE(degrees);
+      expect_change(fillet(shape, edges, {.radius = radius}), added, 1e-6);
+    }
+  }
+}
+
 // At its narrow end the face is as wide as the ball's contact is from the edge: that comes to the
 // vertex there, and the strip ends in the end face, not in the slanted one.
 TEST(FilletOfATaperedPlate, EndsInItsEndFaceThroughTheCorner) {

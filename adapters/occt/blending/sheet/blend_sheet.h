@@ -270,8 +270,10 @@ class BlendSheet {
   };
   std::vector<PathEdge> edges_along(const RolledStrip& strip, const EndCurve& curve, int face,
                                     const TopoDS_Vertex& from, const TopoDS_Vertex& to);
-  std::optional<SeamMeeting> seam_meeting(const EndCurve& curve, int face);
-  TopoDS_Vertex grown_seam(const SeamMeeting& seam, const Vec3& place, int face);
+  std::optional<SeamMeeting> seam_meeting(const EndCurve& curve, int face, double reach);
+  std::optional<SeamMeeting> seam_at_end(const EndCurve& curve, bool at_start, int face,
+                                         double reach);
+  void grow_seam(const SeamMeeting& seam, const TopoDS_Vertex& met, int face);
   const EdgeUseInFace& arriving(const Ring& ring, std::size_t sector) const;
   /// The border of a strip on a wall of a notch, and the edge over which it leaves the wall; null:
   /// it comes out of the notch.

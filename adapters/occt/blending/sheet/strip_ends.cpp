@@ -29,8 +29,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kSameW = 1e-9;    // of the way across the strip
-constexpr double kSeamAt = 1e-14;  // of a curve: where it goes over a seam, to rounding
+constexpr double kSameW = 1e-9;  // of the way across the strip
 
 // Whether the surface of a face has a pole in a vertex. What fills a notch there leaves the face
 // all round it, with the pole inside.
@@ -162,101 +161,6 @@ BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyon
   added_[beyond].push_back(border);
   border_.vertices.push_back(corner);
   return {*t, joined};
-}
-
-// Where a curve in a face goes over the line of the face's seam, beyond the end of the seam.
-std::optional<BlendSheet::SeamMeeting> BlendSheet::seam_meeting(const EndCurve& curve, int face) {
-  const std::array<double, 2> turns = turns_of(BRep_Tool::Surface(body_.face(face)));
-  for (const EdgeUseInFace& use : body_.uses(face)) {
-    if (use.coedge->degenerated || !use.forward || body_.behind(use).face != face) continue;
-    SeamMeeting made{use.edge};
-    Interval range;
-    const Handle(Geom2d_Curve) line = chart_curve_of(body_.edge(use.edge), body_.face(face), range);
-    const gp_Pnt2d first = line->Value(range.from), last = line->Value(range.to);
-    const auto in = [](const gp_Pnt2d& point, int d) { return point.Coord(d + 1); };
-    made.across =
-        std::abs(in(first, 0) - in(last, 0)) < std::abs(in(first, 1) - in(last, 1)) ? 0 : 1;
-    const double turn = turns[static_cast<std::size_t>(made.across)];
-    if (turn == 0) continue;
-    const auto off = [&](double t) {
-      return (in(curve.on_face->Value(t), made.across) - in(first, made.across)) / turn;
-    };
-    const double a = off(curve.range.from), b = off(curve.range.to);
-    const double whole = std::ceil(std::min(a, b));
-    if (whole <= std::min(a, b) || whole >= std::max(a, b)) continue;
-    SignChange change{curve.range.from, curve.range.to};
-    if (a > b) std::swap(change.below, change.above);
-    made.t = narrowed([&](double t) { return off(t) - whole; }, change, std::min(a, b) - whole,
-                      std::max(a, b) - whole, kSeamAt * length(curve.range))
-                 .below;
-    const double height = in(curve.on_face->Value(made.t), 1 - made.across);
-    const double low = in(first, 1 - made.across), high = in(last, 1 - made.across);
-    if ((height - low) * (height - high) <= 0) continue;  // it goes over the seam itself
-    made.at_start = std::abs(height - low) < std::abs(height - high);
-    return made;
-  }
-  return std::nullopt;
-}
-
-// A face that grows beyond the end of its seam has a longer one: from there to the face's border.
-TopoDS_Vertex BlendSheet::grown_seam(const SeamMeeting& seam, const Vec3& place, int face) {
-  const TopoDS_Edge edge = body_.edge(seam.edge);
-  const TopoDS_Vertex end = body_.vertex({seam.edge, seam.at_start}), met = new_vertex(place);
-  const TopoDS_Face of = TopoDS::Face(body_.face(face).Oriented(TopAbs_FORWARD));
-  Interval range;
-  const Handle(Geom2d_Curve) there = chart_curve_of(edge, of, range);
-  const Handle(Geom2d_Curve) back = chart_curve_of(TopoDS::Edge(edge.Reversed()), of, range);
-  const int along = 1 - seam.across;
-  const auto constant = [&](const Handle(Geom2d_Curve) & chart) {
-    return chart->Value(range.from).Coord(seam.across + 1);
-  };
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(of);
-  const Handle(Geom_Curve) curve =
-      seam.across == 0 ? surface->UIso(constant(there)) : surface->VIso(constant(there));
-  const auto height = [&](const TopoDS_Vertex& vertex, double near) {
-    return nearest_on(curve, {near - length(range), near + length(range)}, point_of(vertex));
-  };
-  const double from = there->Value(range.from).Coord(along + 1),
-               to = there->Value(range.to).Coord(along + 1);
-  const double old_end = seam.at_start ? from : to;
-  const double new_end = height(met, old_end);
-  const bool up = new_end > old_end;
-  const TopoDS_Edge grown = edge_on(curve, {std::min(old_end, new_end), std::max(old_end, new_end)},
-                                    up ? end : met, up ? met : end);
-  const auto line = [&](const Handle(Geom2d_Curve) & chart) {
-    const double at = constant(chart);
-    return seam.across == 0 ? new Geom2d_Line(gp_Pnt2d(at, 0), gp_Dir2d(0, 1))
-                            : new Geom2d_Line(gp_Pnt2d(0, at), gp_Dir2d(1, 0));
-  };
-  const bool alike = to > from;  // it runs as the seam does
-  add_seam_charts(grown, line(alike ? there : back), line(alike ? back : there), of);
-  for (const TopAbs_Orientation each : {TopAbs_FORWARD, TopAbs_REVERSED})
-    added_[face].push_back(TopoDS::Edge(grown.Oriented(each)));
-  border_.vertices.push_back(end);
-  return met;
-}
-
-// A curve in which a strip and a face meet, from one vertex to the other, as an edge; two where the
-// face grows over the line of its seam.
-std::vector<PathEdge> BlendSheet::edges_along(const RolledStrip& strip, const EndCurve& curve,
-                                              int face, const TopoDS_Vertex& from,
-                                              const TopoDS_Vertex& to) {
-  const TopoDS_Vertex &start = curve.forward ? from : to, &end = curve.forward ? to : from;
-  std::vector<std::pair<Interval, std::array<TopoDS_Vertex, 2>>> pieces{
-      {curve.range, {start, end}}};
-  if (const auto seam = seam_meeting(curve, face)) {
-    const TopoDS_Vertex met = grown_seam(*seam, vec(curve.curve->Value(seam->t).XYZ()), face);
-    pieces = {{{curve.range.from, seam->t}, {start, met}}, {{seam->t, curve.range.to}, {met, end}}};
-  }
-  if (!curve.forward) std::ranges::reverse(pieces);
-  std::vector<PathEdge> made;
-  for (const auto& [range, ends] : pieces) {
-    const TopoDS_Edge edge = edge_on(curve.curve, range, ends[0], ends[1]);
-    add_chart(edge, curve.on_strip, strip.bare_face());
-    add_chart(edge, chart_near_face(curve.on_face, at(range, 0.5), body_, face), body_.face(face));
-    made.push_back({edge, curve.forward});
-  }
-  return made;
 }
 
 // Across one of the faces at the end of a strip, from its left to its right.
