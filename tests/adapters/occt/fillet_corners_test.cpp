@@ -46,12 +46,15 @@
 #include "core/base/errors.h"
 #include "tests/adapters/occt/chamfered_angle.h"
 #include "tests/adapters/occt/fillet_checks.h"
+#include "tests/adapters/occt/fillet_volumes.h"
 
 namespace blossom::occt {
 namespace {
 
 using testing::chamfered_angle;
 using testing::expect_sound;
+using testing::integral;
+using testing::kCut;
 
 constexpr double kSmooth = 2e-6;  // radians: what strips and fills keep together
 
@@ -373,6 +376,45 @@ TEST(FilletCorner, OfConvexAndConcaveEdgesIsFilled) {
   const TopoDS_Shape shape = fuse.Shape();
   const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = 0.7});
   expect_sound(made);
+}
+
+// Three bars across each other: in each of eight vertices three concave edges alternate with three
+// convex ones.
+TopoDS_Shape crossing_bars() {
+  const TopoDS_Shape x = BRepPrimAPI_MakeBox(gp_Pnt(-20, -5, -5), 40, 10, 10).Shape();
+  const TopoDS_Shape y = BRepPrimAPI_MakeBox(gp_Pnt(-5, -20, -5), 10, 40, 10).Shape();
+  const TopoDS_Shape z = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, -20), 10, 10, 40).Shape();
+  BRepAlgoAPI_Fuse fuse(BRepAlgoAPI_Fuse(x, y).Shape(), z);
+  fuse.SimplifyResult();
+  return fuse.Shape();
+}
+
+// Beside a vertex a strip goes on to the planes that halve the angles between the edges.
+TEST(FilletCorner, OfThreeConcaveEdgesBetweenConvexOnesIsAMitre) {
+  const TopoDS_Shape shape = crossing_bars();
+  const auto edges =
+      edges_where(shape, [](const EdgeFacts& each) { return each.kind == EdgeKind::Concave; });
+  ASSERT_EQ(edges.size(), 12U);
+  const double of_corner = integral(0, std::sqrt(1 - std::sqrt(0.5)), [](double s) {
+    const double z = s * s;  // the root is smooth in s
+    return 2 * s * 2 * z * (1 - z - std::sqrt(2 * z - z * z));
+  });
+  for (const double r : {0.2, 2.5}) {
+    const FilletResult made = fillet(shape, edges, {.radius = r});
+    expect_sound(made);
+    EXPECT_TRUE(made.notes.empty());
+    EXPECT_NEAR(made.solids.front().volume - made.volume_before,
+                120 * kCut * r * r + 8 * 3 * of_corner * r * r * r, 1e-6);
+  }
+}
+
+// The convex edges go on along the mitres of the concave ones, and meet in a ball.
+TEST(FilletCorner, OfThreeConvexAndThreeConcaveEdgesThatAlternateIsRolledRound) {
+  const TopoDS_Shape shape = crossing_bars();
+  const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = 0.8});
+  expect_sound(made);
+  EXPECT_TRUE(made.notes.empty());
+  expect_smooth(made, 0);
 }
 
 TEST(FilletCorner, OfChangingRadiiIsFilledSmoothly) {

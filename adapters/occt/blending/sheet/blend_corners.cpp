@@ -23,6 +23,9 @@ namespace blossom::occt {
 namespace {
 
 constexpr int kMitreSamples = 8;
+constexpr std::size_t kMitredRound = 6;  // edges: of more than three strips no point is common
+constexpr int kCommonSteps = 40;
+constexpr double kCommonPart = 0.1;     // of the tolerance: how near strips are to a common point
 constexpr std::size_t kMitreEdges = 2;  // on one side between strips in a mitre, with a face
 
 // Points of a strip are as far from its spine as the ball's radius.
@@ -196,6 +199,16 @@ bool BlendSheet::can_be_mitred(const Ring& ring, std::size_t other) {
          other <= kMitreEdges + 1 && ring.size() - other <= kMitreEdges + 1;
 }
 
+// From where a strip leaves its own face to where it meets the other one, or back, if that is over
+// a face between them.
+void BlendSheet::path_over(const DirectedEdge& half, const MitreSide& side, std::size_t of,
+                           bool inwards) {
+  const TopoDS_Vertex& foot = side.feet[of];
+  if (side.joined.IsSame(foot)) return;
+  cap_face(half, part_near(half, end_of(half).t), side.over[of], inwards ? foot : side.joined,
+           inwards ? side.joined : foot);
+}
+
 // Two strips run into each other in a curve, from one of their sides to the other. Where an edge is
 // between them, the wider one comes further along it, and goes over the face beside the other one
 // up to the other's contact.
@@ -212,20 +225,13 @@ void BlendSheet::mitre(const Ring& ring, std::size_t other) {
   const double reach = kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(left.joined),
                                               BRep_Tool::Tolerance(right.joined)});
   const PathEdge seam = mitre_edge(a, b, left.joined, right.joined, reach);
-  const auto over = [&](const DirectedEdge& half, const MitreSide& side, bool inwards) {
-    const std::size_t of = half == a ? 0 : 1;
-    const TopoDS_Vertex& foot = side.feet[of];
-    if (side.joined.IsSame(foot)) return;
-    cap_face(half, part_near(half, end_of(half).t), side.over[of], inwards ? foot : side.joined,
-             inwards ? side.joined : foot);
-  };
   // From left to right of who walks away from the vertex.
-  over(a, left, true);
+  path_over(a, left, 0, true);
   end_of(a).path.push_back(seam);
-  over(a, right, false);
-  over(b, right, true);
+  path_over(a, right, 0, false);
+  path_over(b, right, 1, true);
   end_of(b).path.push_back({seam.edge, !seam.forward});
-  over(b, left, false);
+  path_over(b, left, 1, false);
   turn_path(a);
   turn_path(b);
 }
@@ -238,9 +244,95 @@ void BlendSheet::turn_path(const DirectedEdge& half) {
   for (PathEdge& each : path) each.forward = !each.forward;
 }
 
+// The strips of a vertex in which they alternate with edges of the other kind that have none.
+bool BlendSheet::alternate(const Ring& ring) const {
+  if (ring.size() != kMitredRound) return false;
+  const std::size_t first = is_filleted(ring[0].half.edge) ? 0 : 1;
+  const bool concave = strip_of(ring[first].half).strip.concave;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const int edge = ring[i].half.edge;
+    double angle = 0;
+    const bool is_strip = is_filleted(edge);
+    if (is_strip != (i % 2 == first)) return false;
+    if (is_strip
+            ? strip_of(ring[i].half).strip.concave != concave
+            : edge_kind(body_, edge, angle) != (concave ? EdgeKind::Convex : EdgeKind::Concave))
+      return false;
+  }
+  return true;
+}
+
+// The common point of three strips near a place: by Newton's method on the distances from them.
+std::optional<Vec3> BlendSheet::common_point(const std::vector<DirectedEdge>& halves,
+                                             const Vec3& near) const {
+  std::vector<SurfaceProjector> on;
+  for (const DirectedEdge& each : halves)
+    on.emplace_back(strip_of(each).strip.bare_face(), Precision::Confusion());
+  Vec3 point = near;
+  for (int step = 0; step < kCommonSteps; ++step) {
+    std::array<Vec3, 3> normals;
+    Vec3 heights;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      const SurfaceJet frame = frame_at(strip_of(halves[i]).strip.surface, on[i].foot(point, {}));
+      normals[i] = unit(cross(frame.du, frame.dv));
+      heights[static_cast<int>(i)] = dot(point - frame.point, normals[i]);
+    }
+    if (norm(heights) <= kCommonPart * tolerance_) return point;
+    const double volume = dot(normals[0], cross(normals[1], normals[2]));
+    if (std::abs(volume) < std::sin(kSmoothJoint)) return std::nullopt;
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      point -= (heights[static_cast<int>(i)] / volume) *
+               cross(normals[(i + 1) % 3], normals[(i + 2) % 3]);
+  }
+  return std::nullopt;
+}
+
+// Three strips run into each other in three curves that come from the edges between them to one
+// point. False, and nothing is done, where they do not alternate with such edges.
+bool BlendSheet::mitre_round(const Ring& ring) {
+  if (!alternate(ring)) return false;
+  const std::size_t count = ring.size() / 2, first = is_filleted(ring[0].half.edge) ? 0 : 1;
+  std::vector<DirectedEdge> halves;
+  for (std::size_t i = 0; i < count; ++i) halves.push_back(ring[2 * i + first].half);
+  for (const DirectedEdge& each : halves) end_of(each).t = {end_t(each), end_t(each)};
+  std::vector<MitreSide> sides;  // to the left of each
+  Vec3 middle{};
+  for (std::size_t i = 0; i < count; ++i) {
+    Ring turned = ring;
+    std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(2 * i + first));
+    sides.push_back(mitre_side(turned, 2, true));
+    middle += (1.0 / static_cast<double>(count)) * point_of(sides.back().joined);
+  }
+  const auto point = common_point(halves, middle);
+  if (!point)
+    refuse(halves[0], FilletFault::Corner, "the strips that meet there have no common point");
+  const TopoDS_Vertex met = new_vertex(*point);
+  std::vector<PathEdge> seams;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(sides[i].joined));
+    seams.push_back(mitre_edge(halves[i], halves[(i + 1) % count], sides[i].joined, met, reach));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t before = (i + count - 1) % count;
+    path_over(halves[i], sides[i], 0, true);
+    end_of(halves[i]).path.push_back(seams[i]);
+    end_of(halves[i]).path.push_back({seams[before].edge, !seams[before].forward});
+    path_over(halves[i], sides[before], 1, false);
+    turn_path(halves[i]);
+  }
+  return true;
+}
+
 // Several strips meet in a vertex.
 void BlendSheet::corner(const Ring& ring) {
-  if (setback_ || !(is_chamfer_ ? crossed_corner(ring) : ball_corner(ring))) set_back(ring);
+  if (setback_) return set_back(ring);
+  if (is_chamfer_ ? crossed_corner(ring) : ball_corner(ring)) return;
+  if (is_chamfer_ || !alternate(ring)) return set_back(ring);
+  std::vector<DirectedEdge> halves;
+  for (const VertexSector& each : ring)
+    if (is_filleted(each.half.edge)) halves.push_back(each.half);
+  or_else(
+      halves, [&] { mitre_round(ring); }, [&](const std::string&) { return is_set_back(ring); });
 }
 
 }  // namespace blossom::occt

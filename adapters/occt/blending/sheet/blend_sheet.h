@@ -179,6 +179,10 @@ class BlendSheet {
   MitreSide mitre_side(const Ring& ring, std::size_t other, bool on_left);
   bool can_be_mitred(const Ring& ring, std::size_t other);
   void mitre(const Ring& ring, std::size_t other);
+  void path_over(const DirectedEdge& half, const MitreSide& side, std::size_t of, bool inwards);
+  bool alternate(const Ring& ring) const;
+  std::optional<Vec3> common_point(const std::vector<DirectedEdge>& halves, const Vec3& near) const;
+  bool mitre_round(const Ring& ring);
   PathEdge mitre_edge(const DirectedEdge& a, const DirectedEdge& b, const TopoDS_Vertex& from,
                       const TopoDS_Vertex& to, double reach);
   void turn_path(const DirectedEdge& half);

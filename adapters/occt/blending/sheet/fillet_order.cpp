@@ -17,7 +17,8 @@ namespace {
 // Sharp edges at a vertex: where there are more, what the first fillet leaves of the vertex is no
 // simpler, and all are joined in one corner.
 constexpr std::size_t kOrdered = 3;
-constexpr std::size_t kAlternating = 4;  // but for two and two that alternate
+constexpr std::array<std::size_t, 2> kAlternating{
+    4, 6};  // but for two and two, and three and three, that alternate
 
 // Groups of edges as the classes of a partition, and which come before which. Chamfers of all edges
 // of a vertex are made at once: they turn by an angle there and go on in none that comes later.
@@ -74,12 +75,12 @@ bool is_of_kind(const BodyEdges& body, const FilletEdges& edges, int edge, bool 
   return edge_kind(body, edge, angle) == (concave ? EdgeKind::Concave : EdgeKind::Convex);
 }
 
-// Whether two edges of either kind alternate round a vertex, all with fillets that come to each
-// other. Once those of one kind are made the two others go on smoothly in each other, along the
-// ends of these.
+// Whether two or three edges of either kind alternate round a vertex, all with fillets that come to
+// each other. Once those of one kind are made two others go on smoothly in each other, along the
+// ends of these; three go on along these to a corner of their own.
 bool alternates(const BodyEdges& body, const FilletEdges& edges,
                 const std::vector<VertexSector>& ring) {
-  if (ring.size() != kAlternating) return false;
+  if (std::ranges::count(kAlternating, ring.size()) == 0) return false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const DirectedEdge& next = ring[(i + 1) % ring.size()].half;
     const auto own = edges.find(ring[i].half.edge), other = edges.find(next.edge);

@@ -17,10 +17,10 @@ namespace blossom::occt {
 /// fillets or not, it comes first: its strip ends in a face that the others have in common, and
 /// they go on smoothly along that end. Edges of one kind that meet are of one group, as their
 /// corners need all of them; so are edges of both kinds that meet in a vertex of more than three
-/// sharp edges, but for two and two that alternate: of these the concave ones come first, which
-/// meet in a mitre, and the others go on over it. Where these rules contradict each other only
-/// edges that have fillets count, and where they still do the kind that more corners ask for comes
-/// first.
+/// sharp edges, but for two and two, or three and three, that alternate: of these the concave ones
+/// come first, which meet in mitres, and the others go on over them. Where these rules contradict
+/// each other only edges that have fillets count, and where they still do the kind that more
+/// corners ask for comes first.
 ///
 /// But of three edges of one kind at a vertex, two of which have one radius, the third one comes
 /// first if its own is larger: the smaller ball rolls on along the end of the larger one's strip,

@@ -354,7 +354,8 @@ void BlendSheet::fill_corner(const Ring& ring, const std::vector<SetbackSide>& s
     refuse(ring.front().half, FilletFault::Corner, "its corner cannot be filled: " + made.message);
   if (std::ranges::any_of(made.patches, folds))
     refuse(ring.front().half, FilletFault::Corner,
-           "what would fill its corner turns back on itself: " + too_large());
+           "what would fill its corner turns back on itself: corners of such edges cannot be "
+           "filled yet");
   const auto border = [&](const FillBorder& of) {
     return setback_edge(sides[static_cast<std::size_t>(of.side)], of);
   };
