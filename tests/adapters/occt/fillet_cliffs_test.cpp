@@ -23,6 +23,7 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
+#include <gp.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
@@ -292,6 +293,57 @@ TEST(FilletAtACliff, ThatTheContactComesBackOverIsCutOffByItsWall) {
     EXPECT_NEAR(more_in(made), over_square(6.5), 1e-4) << turn;
     EXPECT_EQ(made.solids.front().faces.size(), 12U);  // 8, the strip, and three pieces more
   }
+}
+
+// A shaft of radius 10 with a key slot, round at its ends, 6 wide and 4 deep.
+TopoDS_Shape key_slot(double length) {
+  const TopoDS_Shape shaft = BRepPrimAPI_MakeCylinder(10, 60).Shape();
+  TopoDS_Shape slot = BRepPrimAPI_MakeBox(gp_Pnt(6, -3, 15), 6, 6, length).Shape();
+  for (const double end : {15.0, 15 + length}) {
+    BRepAlgoAPI_Fuse fuse(slot,
+                          BRepPrimAPI_MakeCylinder(gp_Ax2({6, 0, end}, gp::DX()), 3, 6).Shape());
+    fuse.SimplifyResult();
+    slot = fuse.Shape();
+  }
+  return BRepAlgoAPI_Cut(shaft, slot).Shape();
+}
+
+// What a disc of radius r that leans on (6, 3) leaves free of the shaft's section beside the slot:
+// round it, by half the integral of x dy - y dx.
+double beside_slot(double r) {
+  const double far = 10 - r;  // of the centre (x, y) from the axis
+  const double corner = std::hypot(6, 3), along = std::atan2(3, 6);
+  const double turn = std::acos((far * far + corner * corner - r * r) / (2 * far * corner));
+  const double x = far * std::cos(along + turn), y = far * std::sin(along + turn);
+  const double wall = std::asin(0.3), contact = along + turn;
+  double from = contact, to = std::atan2(3 - y, 6 - x);  // about the centre
+  if (to > from) to -= 2 * std::numbers::pi;
+  double round = 100 * (contact - wall);  // the shaft
+  round -= 3 * (std::sqrt(91) - 6);       // the slot's wall
+  round += r * r * (to - from) +
+           r * (x * (std::sin(to) - std::sin(from)) - y * (std::cos(to) - std::cos(from)));
+  return std::abs(round) / 2;
+}
+
+// At its round ends the slot is deep enough for the ball, beside its length it is not: there the
+// ball leans on the edge of the floor.
+TEST(FilletAtACliff, OfAKeySlotLeansOnTheFloorsEdgeBesideItsLength) {
+  const double radius = 2.6;
+  std::vector<double> less;
+  for (const double length : {20.0, 26.0}) {
+    const TopoDS_Shape shape = key_slot(length);
+    const std::vector<EdgeFacts> edges = edge_facts(shape);
+    const auto rim = std::ranges::find_if(edges, [](const EdgeFacts& each) {
+      return std::abs(each.middle[1] - 3) < 1e-6 && each.middle[0] > 6.5 &&
+             each.kind == EdgeKind::Convex;
+    });
+    ASSERT_NE(rim, edges.end());
+    const FilletResult made = fillet(shape, {rim->number}, {.radius = radius});
+    expect_sound(made);
+    EXPECT_EQ(made.edges.size(), 6U);
+    less.push_back(-more_in(made));
+  }
+  EXPECT_NEAR(less[1] - less[0], 2 * 6 * beside_slot(radius), 1e-6);
 }
 
 }  // namespace

@@ -79,6 +79,7 @@ class BallWalker {
   bool is_loop() const;
   const WalkedStrip& strip_at(std::size_t place);
   std::optional<WalkedStrip> strip_if_any(std::size_t place);
+  static bool leans_beside(const WalkedStrip& of);
   std::size_t start();
   bool is_aside(const WalkedStrip& of, std::size_t side,
                 const std::vector<ContactCrossing>& all) const;
@@ -88,12 +89,15 @@ class BallWalker {
                                                 int entered) const;
   std::optional<WalkedStrip> start_behind(std::size_t place);
   bool is_start(const std::array<int, 2>& faces, const std::array<int, 2>& held) const;
+  bool leans(const WalkedStrip& of, double t, const ContactCrossing& over, double most) const;
   bool holds(const WalkedStrip& of, double t, const ContactCrossing& over) const;
   bool begins_at(int edge, const DirectedEdge& half) const;
   bool is_end_edge(int edge) const;
   double turned_past(const WalkedStrip& of, std::size_t side, const EdgeUseInFace& use,
                      double t) const;
-  WalkExit onto_edge(const WalkedStrip& of, std::size_t side, const ContactCrossing& at,
+  ContactCrossing in_common_vertex(const WalkedStrip& of, std::size_t side,
+                                   ContactCrossing at) const;
+  WalkExit onto_edge(const WalkedStrip& of, std::size_t side, const ContactCrossing& met,
                      int step) const;
   std::optional<double> turns_onto(const WalkedStrip& of, std::size_t side,
                                    const EdgeUseInFace& use, const Interval& way) const;
@@ -133,6 +137,8 @@ class BallWalker {
   BallWalk round(WalkedStrip strip) const;
   std::optional<RunCut> joint_at(int edge, std::size_t place, int step) const;
   std::optional<RunCut> passing(std::size_t place, int step, const FilletRefusal& why);
+  bool is_before_end(const WalkedStrip& of, std::size_t place, int step, const WalkExit& end,
+                     std::size_t& nearest) const;
   void check_end(const WalkedStrip& of, std::size_t place, int step, const WalkExit& end) const;
   struct Course {
     std::size_t place = 0;  // of the nearest edge

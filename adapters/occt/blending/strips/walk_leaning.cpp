@@ -44,8 +44,10 @@ bool BallWalker::is_end_edge(int edge) const {
   return !run_.closed && (begins_at(edge, run_.first()) || begins_at(edge, run_.last()));
 }
 
-// Whether a contact that leaves its face over an edge goes on along it.
-bool BallWalker::holds(const WalkedStrip& of, double t, const ContactCrossing& over) const {
+// Whether a contact that leaves its face over an edge goes on along it, where faces turn away from
+// the ball there by less than an angle.
+bool BallWalker::leans(const WalkedStrip& of, double t, const ContactCrossing& over,
+                       double most) const {
   const auto profile = profiles_.everywhere();
   const int edge = over.use->edge;
   if (!profile || !profile->is_ball() || is_smooth_at(body_, over) || is_end_edge(edge))
@@ -57,15 +59,35 @@ bool BallWalker::holds(const WalkedStrip& of, double t, const ContactCrossing& o
   const double falls = -dot(behind.inwards, here.normal);
   const Vec3 way = unit(vec(of.strip.spine->DN(t, 1)));
   return (run_.concave ? falls > 0 : falls < 0) &&
-         dot(here.normal, behind.normal) > std::cos(kMaxBend) &&
+         dot(here.normal, behind.normal) > std::cos(most) &&
          std::abs(dot(way, here.along)) > std::cos(kMaxBend);
+}
+
+bool BallWalker::holds(const WalkedStrip& of, double t, const ContactCrossing& over) const {
+  return leans(of, t, over, kMaxBend);
+}
+
+// Of a ball that leans on an edge, where it comes to the next one: in their common vertex, where
+// they may go on in each other, and the crossing is no better known than where they part.
+ContactCrossing BallWalker::in_common_vertex(const WalkedStrip& of, std::size_t side,
+                                             ContactCrossing at) const {
+  const int held = held_by(of)[side], next = at.use->edge;
+  for (const bool at_start : {true, false}) {
+    if (held == 0 || held == next || !begins_at(next, {held, at_start})) continue;
+    const Vec3 place = point_of(body_.vertex({held, at_start}));
+    at.t = nearest_on(of.strip.contacts[contact_at(of, side)].curve, of.strip.range, place);
+    at.edge_parameter = nearest_on_edge(body_, next, place);
+    break;
+  }
+  return at;
 }
 
 // Where a contact goes on along the edge at which its face ends. Beside a left contact what stays
 // of faces is to the left of the way, so the edge is left to the face that lies there: that is the
 // contact's face, whether it came from it or not.
-WalkExit BallWalker::onto_edge(const WalkedStrip& of, std::size_t side, const ContactCrossing& at,
+WalkExit BallWalker::onto_edge(const WalkedStrip& of, std::size_t side, const ContactCrossing& met,
                                int step) const {
+  const ContactCrossing at = in_common_vertex(of, side, met);
   WalkExit found{at.t, {}, false, 0, held_by(of)};
   found.held[side] = at.use->edge;
   const Vec3 way = (of.forward ? step : -step) * vec(of.strip.spine->DN(at.t, 1));

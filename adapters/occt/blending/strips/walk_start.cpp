@@ -69,15 +69,24 @@ std::optional<double> BallWalker::place_between(const WalkedStrip& of) const {
   return nearest;
 }
 
-// The first edge beside which there is a ball; where contacts run along borders, any edge. Where
-// there is none, the longest edge tells why: short ones may have none where a ball rolls past.
+// Whether the ball beside an edge leans on the far edge of a face all along.
+bool BallWalker::leans_beside(const WalkedStrip& of) {
+  return of.strip.held != std::array<int, 2>{};
+}
+
+// The first edge beside which there is a ball, if one does not lean on the far edge of a face;
+// where contacts run along borders, any edge. Where there is none, the longest edge tells why:
+// short ones may have none where a ball rolls past.
 std::size_t BallWalker::start() {
-  std::optional<std::size_t> any;
+  std::optional<std::size_t> any, leaning;
   std::optional<FilletRefused> refused;
   double longest = 0;
   for (std::size_t i = 0; i < run_.edges.size(); ++i) try {
       const WalkedStrip& of = strip_at(i);
-      if (goes_beside(of)) return i;
+      if (goes_beside(of)) {
+        if (!leans_beside(of)) return i;
+        if (!leaning) leaning = i;
+      }
       if (!any) any = i;
     } catch (const FilletRefused& why) {
       const double length = edge_length(body_.edge(run_.edges[i].edge));
@@ -87,11 +96,12 @@ std::size_t BallWalker::start() {
     }
   if (!any) throw FilletRefused(*refused);
   for (std::size_t i = 0; i < made_.size(); ++i)
-    if (const auto t = made_[i] ? place_between(*made_[i]) : std::nullopt) {
+    if (const auto t =
+            made_[i] && !leans_beside(*made_[i]) ? place_between(*made_[i]) : std::nullopt) {
       made_[i]->inside = *t;
       return i;
     }
-  return *any;
+  return leaning.value_or(*any);
 }
 
 // The edge over which the straight way in a face's chart leaves it first.
