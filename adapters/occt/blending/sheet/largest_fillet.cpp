@@ -185,8 +185,9 @@ void RadiusTrials::close_bracket() {
 std::optional<LargestFillet> RadiusTrials::found() {
   if (follow_limits() || follow_meetings()) {
     const double above = low_ * (1 + kJustAbove);
-    if (above >= high_ || !rolls(above) || !works(above)) return LargestFillet{low_, stopped_};
+    if (above >= asked_ || !rolls(above) || !works(above)) return LargestFillet{low_, stopped_};
     stopped_.clear();
+    if (high_ <= low_) start_anew();  // at the limit alone none works
   } else {
     start_anew();
     if (!fall() && !rise()) return std::nullopt;

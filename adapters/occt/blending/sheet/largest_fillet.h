@@ -20,7 +20,7 @@ struct LargestFillet {
 
 /// A radius that works, at most 1 % below one that does not: at or just below where a ball beside
 /// the edge at fault is stopped (`fillet_limit`), if that works and a larger one does not; else
-/// bracketed.
+/// bracketed. Where only the limit itself fails, larger ones are bracketed as well.
 ///
 /// Each radius that fails names an edge; its limit is looked at next. So a few steps come to the
 /// edge of a chain that stops the smallest ball. Of some hundred edges at once only a few radii are

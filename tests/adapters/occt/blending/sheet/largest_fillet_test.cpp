@@ -17,8 +17,10 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <gp.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Vec.hxx>
 
@@ -154,6 +156,26 @@ TEST(LargestFillet, OfEdgesFarFromEachOtherIsThatOfTheTighterOne) {
                                  edge_with_middle(shape, {second, 30, 3})};
     expect_told(shape, edges, 5, 2, kExact);
   }
+}
+
+// At the radius 1/11 a contact comes to a smooth edge in its end, where it is not told on which
+// side it is; smaller and larger balls go on there.
+TEST(LargestFillet, IsNotThatOfALimitAtWhichAloneNoneIsMade) {
+  const TopoDS_Shape body =
+      BRepAlgoAPI_Fuse(
+          BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -10), gp::DZ()), 20, 20).Shape(),
+          BRepPrimAPI_MakeBox(gp_Pnt(-10, 15, -5), 40, 40, 15).Shape())
+          .Shape();
+  const TopoDS_Shape ring =
+      BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(15, 5, 0), gp::DX()), 12, 6).Shape();
+  BRepAlgoAPI_Cut cut(body, ring);
+  cut.SimplifyResult();
+  const TopoDS_Shape shape = cut.Shape();
+  const FilletResult made =
+      fillet(shape, edges_that_have(shape, EdgeKind::Convex), {.radius = 1.178});
+  ASSERT_EQ(made.refused.size(), 1U);
+  ASSERT_TRUE(made.refused.front().largest);
+  EXPECT_NEAR(*made.refused.front().largest, 0.88, kRough);
 }
 
 TEST(LargestFillet, IsNotLookedForWhereItIsNotWanted) {
