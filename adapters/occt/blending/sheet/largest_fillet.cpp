@@ -137,8 +137,9 @@ bool RadiusTrials::follow_meetings() {
   return false;
 }
 
+// However many edges there are: else nothing could be said of smaller radii.
 bool RadiusTrials::fall() {
-  while (high_ > kFall * kMinRadiusShare * asked_ && may_go_on()) {
+  while (high_ > kFall * kMinRadiusShare * asked_) {
     const double radius = high_ / kFall;
     if (rolls(radius) && works(radius)) return true;
   }

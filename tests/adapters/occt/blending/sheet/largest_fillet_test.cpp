@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -141,7 +144,7 @@ TEST(LargestFillet, OfAllEdgesOfAnAngleIsJustBelowHalfItsThickness) {
   const TopoDS_Shape shape = fused.Shape();
   const std::vector<int> edges = edges_that_have(shape, EdgeKind::Convex);
   expect_told(shape, edges, 20, 4, 1e-5);
-  const FilletResult made = fillet(shape, edges, {.radius = 20});
+  const FilletResult made = fillet(shape, edges, {.radius = 2});
   ASSERT_EQ(made.refused.size(), 1U);
   EXPECT_NE(made.refused.front().text().find("stopped by another blend"), std::string::npos)
       << made.refused.front().text();
@@ -176,6 +179,21 @@ TEST(LargestFillet, IsNotThatOfALimitAtWhichAloneNoneIsMade) {
   ASSERT_EQ(made.refused.size(), 1U);
   ASSERT_TRUE(made.refused.front().largest);
   EXPECT_NEAR(*made.refused.front().largest, 0.88, kRough);
+}
+
+// Each trial rounds more edges than all that follow the first may.
+TEST(LargestFillet, IsFoundByHalvesHoweverManyEdgesThereAre) {
+  BRepBuilderAPI_MakePolygon star;
+  for (int i = 0; i < 340; ++i) {
+    const double turn = std::numbers::pi * i / 170, radius = i % 2 == 0 ? 40 : 50;
+    star.Add(gp_Pnt(radius * std::cos(turn), radius * std::sin(turn), 0));
+  }
+  star.Close();
+  const TopoDS_Shape prism =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(star.Wire()).Shape(), gp_Vec(0, 0, 10)).Shape();
+  const FilletResult made = fillet(prism, edges_that_have(prism, EdgeKind::Convex), {.radius = 2});
+  ASSERT_EQ(made.refused.size(), 1U);
+  EXPECT_TRUE(made.refused.front().largest) << made.refused.front().text();
 }
 
 TEST(LargestFillet, IsNotLookedForWhereItIsNotWanted) {
