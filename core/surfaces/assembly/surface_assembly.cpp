@@ -118,7 +118,7 @@ class Assembly {
     for (const CriticalCluster& cluster : clusters_of(found_.slow))
       add_slow(cells_a, cells_b, cluster);
     if (found_.cut_by_samples)
-      weaken(Status::Tolerance, "a branch near a contact was cut at a border by points of it");
+      weaken(Status::Tolerance, "points, not a proof, tell where a curve near a contact ends");
     if (found_.beside_known) add_known_curves();
     note_approximations();
     return std::move(result_);

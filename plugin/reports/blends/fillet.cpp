@@ -101,16 +101,19 @@ std::string left_out(const std::vector<occt::EdgeFacts>& facts) {
   for (const occt::EdgeFacts& each : facts)
     if (!can_be_rounded(each) && each.kind != occt::EdgeKind::Degenerate)
       others[each.kind].push_back(each.number);
-  std::string text;
+  std::string needless, left;
   for (const auto& [kind, edges] : others) {
-    text += (text.empty() ? "left out: " : ", ") +
+    const bool is_needless = kind == occt::EdgeKind::Smooth || kind == occt::EdgeKind::Seam;
+    std::string& text = is_needless ? needless : left;
+    const char* first = is_needless ? "nothing to blend at " : "left out: ";
+    text += (text.empty() ? first : ", ") +
             counted(edges.size(), std::string(to_string(kind)) + " edge");
-    if (kind == occt::EdgeKind::Smooth || kind == occt::EdgeKind::Seam) continue;
+    if (is_needless) continue;
     text += " (";
     for (const int edge : edges) text += (edge == edges.front() ? "" : ", ") + std::to_string(edge);
     text += ")";
   }
-  return text;
+  return left + (left.empty() || needless.empty() ? "" : "; ") + needless;
 }
 
 std::vector<int> edges_between(const std::vector<occt::EdgeFacts>& facts, int face, int other) {

@@ -55,11 +55,11 @@ std::string summary_of(const occt::Repairs& repairs) {
   std::vector<std::string> parts;
   if (const std::size_t remade = repairs.remade.size(); remade > 0)
     parts.push_back(counted(remade, "parameter curve") + " recomputed (up to " +
-                    length_text(repairs.largest_gap()) + ")");
+                    length_text(repairs.largest_gap()) + " mm)");
   if (const std::size_t raised = repairs.edges.size() + repairs.vertices.size(); raised > 0) {
     const std::string noun = raised == 1 ? " tolerance" : " tolerances";
     parts.push_back(std::to_string(raised) + noun + " raised (up to " +
-                    length_text(repairs.largest_tolerance()) + ")");
+                    length_text(repairs.largest_tolerance()) + " mm)");
   }
   const std::size_t added = added_count(repairs), missing = repairs.missing.size() - added;
   if (added > 0) parts.push_back(counted(added, "missing parameter curve") + " made");

@@ -286,9 +286,8 @@ std::optional<occt::Model> alone_for_solids(const Input& input) {
   }
   if (input.edges.empty() && static_cast<int>(input.numbers.size()) == input.model.face_count())
     return std::nullopt;
-  if (!input.edges.empty() || !is_of_solids(input))
-    throw occt::BadModel(input.name +
-                         ": whole models, solids or edges are wanted, not some of their faces");
+  if (!input.edges.empty())
+    throw occt::BadModel(input.name + ": edges are combined alone, not beside faces or solids");
   return alone(input);
 }
 

@@ -41,9 +41,9 @@ void choose(const Selection& selection, Input& input);
 /// Whether all that an input means is solids, or all of a model.
 bool is_of_solids(const Input& input);
 
-/// What of its model an input gives to operations on solids: the solids that it names alone, or its
-/// edges alone where it names no face; nothing where it is the whole model.
-/// throws   occt::BadModel if it names some faces of solids, or edges beside faces
+/// What of its model an input gives to operations on solids: the solids that it names alone, its
+/// faces alone as a sheet, or its edges alone; nothing where it is the whole model.
+/// throws   occt::BadModel if it names edges beside faces
 std::optional<occt::Model> alone_for_solids(const Input& input);
 
 /// A model of what an input names, with its names, looks and place in assemblies.

@@ -140,7 +140,7 @@ TEST_F(BlendFillet, LeavesOutWhatHasNothingToRoundAndSaysSo) {
 
   const Finished all = fillet({path("pin.step"), "--edges", "all", "--radius", "1"});
   EXPECT_EQ(all.code, 0) << all.err;
-  EXPECT_NE(all.out.find("  left out: 1 seam edge\n"), std::string::npos) << all.out;
+  EXPECT_NE(all.out.find("  nothing to blend at 1 seam edge\n"), std::string::npos) << all.out;
 }
 
 TEST_F(BlendFillet, RefusesBadUsage) {

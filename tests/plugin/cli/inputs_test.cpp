@@ -131,7 +131,7 @@ TEST(RepairsOfAnInput, AreToldInOneLine) {
   const testing::TestFolder folder;
   const std::string file = write_loose(folder / "part.brep");
   const std::string output = folder / "copy.brep";
-  const std::string line = file + ": 1 parameter curve recomputed (up to 0.01)\n";
+  const std::string line = file + ": 1 parameter curve recomputed (up to 0.01 mm)\n";
   EXPECT_EQ(testing::blossom({"convert", file, "-o", output}).err, "blossom: " + line);
   EXPECT_EQ(testing::blossom({"convert", file, "-o", output, "-q"}).err, "");
   const std::string more = testing::blossom({"convert", file, "-o", output, "-v"}).err;

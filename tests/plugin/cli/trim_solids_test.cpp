@@ -381,6 +381,13 @@ TEST_F(TrimSolidsCommand, SplitsByASheet) {
   EXPECT_EQ(report["total"]["tools"], 0);
 }
 
+TEST_F(TrimSolidsCommand, SplitsByAFaceOfASolid) {
+  write(BRepPrimAPI_MakeBox(gp_Pnt(-9, -9, -9), gp_Pnt(9, 9, 1.5)).Solid(), "below.brep");
+  const Finished run = combine("below.brep#6", {"split", "-o", folder / "parts.step"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("split, complete, 2 solids"), std::string::npos) << run.out;
+}
+
 TEST_F(TrimSolidsCommand, CutsASheetByASolid) {
   const gp_Pln level({0, 0, 1}, {0, 0, 1});
   write(BRepBuilderAPI_MakeFace(level, -9, 9, -9, 9).Face(), "sheet.brep");
