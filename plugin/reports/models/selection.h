@@ -42,7 +42,8 @@ void choose(const Selection& selection, Input& input);
 bool is_of_solids(const Input& input);
 
 /// What of its model an input gives to operations on solids: the solids that it names alone, its
-/// faces alone as a sheet, or its edges alone; nothing where it is the whole model.
+/// faces alone as a sheet (all faces of a solid: as that), or its edges alone; nothing where it is
+/// the whole model.
 /// throws   occt::BadModel if it names edges beside faces
 std::optional<occt::Model> alone_for_solids(const Input& input);
 

@@ -63,8 +63,10 @@ class Reading(unittest.TestCase):
             self.assertEqual(two.part("solid:2").volume, blossom.read(f"{path}#solid:2").volume)
             faces = two.part(low.face_numbers)
             self.assertEqual(faces.volume, 0)
-            with self.assertRaisesRegex(ValueError, "whole models, solids or edges are wanted, not some"):
-                faces.solid("cut", DRILL)
+            # All faces of a solid are combined as that solid, some of them as a sheet.
+            self.assertAlmostEqual(faces.solid("cut", DRILL).volume, drilled.volume, 6)
+            sheet = two.part(low.face_numbers[:5]).solid("common", DRILL)
+            self.assertEqual((sheet.volume, len(sheet.to_dict()["solids"])), (0, 0))
 
             low.write(os.path.join(folder, "low#1.step"))
             again = blossom.read(os.path.join(folder, "low#1.step"))

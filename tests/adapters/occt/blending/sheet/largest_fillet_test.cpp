@@ -184,14 +184,14 @@ TEST(LargestFillet, IsNotThatOfALimitAtWhichAloneNoneIsMade) {
 // Each trial rounds more edges than all that follow the first may.
 TEST(LargestFillet, IsFoundByHalvesHoweverManyEdgesThereAre) {
   BRepBuilderAPI_MakePolygon star;
-  for (int i = 0; i < 340; ++i) {
-    const double turn = std::numbers::pi * i / 170, radius = i % 2 == 0 ? 40 : 50;
+  for (int i = 0; i < 240; ++i) {
+    const double turn = std::numbers::pi * i / 120, radius = i % 2 == 0 ? 40 : 50;
     star.Add(gp_Pnt(radius * std::cos(turn), radius * std::sin(turn), 0));
   }
   star.Close();
   const TopoDS_Shape prism =
       BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(star.Wire()).Shape(), gp_Vec(0, 0, 10)).Shape();
-  const FilletResult made = fillet(prism, edges_that_have(prism, EdgeKind::Convex), {.radius = 2});
+  const FilletResult made = fillet(prism, edges_that_have(prism, EdgeKind::Convex), {.radius = 20});
   ASSERT_EQ(made.refused.size(), 1U);
   EXPECT_TRUE(made.refused.front().largest) << made.refused.front().text();
 }
