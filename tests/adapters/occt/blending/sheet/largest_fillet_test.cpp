@@ -144,7 +144,7 @@ TEST(LargestFillet, OfAllEdgesOfAnAngleIsJustBelowHalfItsThickness) {
   const TopoDS_Shape shape = fused.Shape();
   const std::vector<int> edges = edges_that_have(shape, EdgeKind::Convex);
   expect_told(shape, edges, 20, 4, 1e-5);
-  const FilletResult made = fillet(shape, edges, {.radius = 2});
+  const FilletResult made = fillet(shape, edges, {.radius = 20});
   ASSERT_EQ(made.refused.size(), 1U);
   EXPECT_NE(made.refused.front().text().find("stopped by another blend"), std::string::npos)
       << made.refused.front().text();
