@@ -34,14 +34,14 @@ std::array<Vec4, 5> wide_arc(const CharacteristicCircle& circle, const Vec3& mid
   const Vec3 y = unit(middle - x * cosine);
   const double a = 0.5 * std::atan2(norm(cross(x, middle)), cosine);
   const double w = 0.5 * (std::sqrt(std::cos(a) * std::cos(a) + 8) - std::cos(a));
-  const double beside = w, inner = (1 + 2 * w * w) / 3;  // the absolute control points of c^2
+  const double inner = (1 + 2 * w * w) / 3;  // of c^2 the absolute control points are 1, w, this
   const auto row = [&](double turn, double size, double weight) {
     const Vec3 off = x * std::cos(turn) + y * std::sin(turn);
     const Vec3 point = circle.centre * weight + off * (circle.radius * size);
     return Vec4{point[0], point[1], point[2], weight};
   };
   const double near = w * std::cos(a), half = (std::cos(2 * a) + 2 * w * w) / 3;  // of |c|^2
-  return {row(0, 1, 1), row(a, beside, near), row(2 * a, inner, half), row(3 * a, beside, near),
+  return {row(0, 1, 1), row(a, w, near), row(2 * a, inner, half), row(3 * a, w, near),
           row(4 * a, 1, 1)};
 }
 
