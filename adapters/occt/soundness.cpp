@@ -35,21 +35,27 @@ constexpr double kRounding = 1e-6;
 
 bool exceeds(double gap, double tolerance) { return gap > (1 + kRounding) * tolerance; }
 
-// How often the faces of one shell use each edge, by number.
-using Uses = std::map<int, int>;
+// How often the faces of one shell use an edge, along it and against it.
+struct Uses {
+  int along = 0;
+  int against = 0;
+};
+using UsesByNumber = std::map<int, Uses>;
 
 struct Numbers {
   TopTools_IndexedMapOfShape faces;
   TopTools_IndexedMapOfShape edges;
 };
 
-Uses uses_in(const TopTools_MapOfShape& faces, const Numbers& numbers) {
-  Uses uses;
+UsesByNumber uses_in(const TopTools_MapOfShape& faces, const Numbers& numbers) {
+  UsesByNumber all;
   for (TopTools_MapOfShape::Iterator face(faces); face.More(); face.Next())
-    for (TopExp_Explorer it(face.Value(), TopAbs_EDGE); it.More(); it.Next())
-      if (!BRep_Tool::Degenerated(TopoDS::Edge(it.Current())))
-        ++uses[numbers.edges.FindIndex(it.Current())];
-  return uses;
+    for (TopExp_Explorer it(face.Value(), TopAbs_EDGE); it.More(); it.Next()) {
+      if (BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) continue;
+      Uses& uses = all[numbers.edges.FindIndex(it.Current())];
+      ++(it.Current().Orientation() == TopAbs_REVERSED ? uses.against : uses.along);
+    }
+  return all;
 }
 
 TopTools_MapOfShape faces_in(const TopoDS_Shape& shape, TopAbs_ShapeEnum avoid = TopAbs_SHAPE) {
@@ -58,14 +64,17 @@ TopTools_MapOfShape faces_in(const TopoDS_Shape& shape, TopAbs_ShapeEnum avoid =
   return faces;
 }
 
-void mark_uses(const Uses& uses, bool closed, std::vector<EdgeSoundness>& edges) {
-  for (const auto& [number, count] : uses) {
+// A solid may touch itself along an edge: its faces then use it as often along as against.
+void mark_uses(const UsesByNumber& all, bool closed, std::vector<EdgeSoundness>& edges) {
+  for (const auto& [number, uses] : all) {
+    const int count = uses.along + uses.against;
     EdgeSoundness& edge = edges[static_cast<std::size_t>(number) - 1];
     if (count == 1) {
       edge.free = true;
       if (closed) edge.problems.push_back({"is free, the solid is open there"});
     } else if (count > 2) {
       edge.crowded = true;
+      if (closed && uses.along == uses.against) continue;
       edge.problems.push_back({"is used " + std::to_string(count) + " times in one shell"});
     }
   }

@@ -78,8 +78,9 @@ struct EdgeSoundness {
   double same_parameter = 0;
   double vertex_gap = 0;  ///< of the end that misses its vertex most, in tolerances of the vertex
   double vertex_tolerance = 0;
-  bool free = false;     ///< used once in its shell
-  bool crowded = false;  ///< used more than twice in its shell
+  bool free = false;  ///< used once in its shell
+  bool crowded =
+      false;  ///< used more than twice in its shell: no problem where a solid touches itself
   std::vector<Problem> problems;
 };
 

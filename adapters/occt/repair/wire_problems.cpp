@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -25,9 +26,12 @@ namespace blossom::occt {
 namespace {
 
 // Two edges that leave their corner at a small angle stay close for a while: common points within
-// so many tolerances of the corner, or runs that start there, are the corner.
-constexpr int kRunSamples = 5;  // of two coedges between a corner and a crossing
+// so many tolerances of the corner are the corner.
 constexpr double kCornerReach = 100;
+constexpr int kRunSamples = 5;  // of two coedges between a corner and a common point
+// Edges that run together from their corner over more than this part of one of them, if that is
+// not within its reach, have no face between them; over less, they touch in the corner and part.
+constexpr double kTouchingPart = 0.5;
 
 struct PlacedCoedge {
   const Coedge* coedge = nullptr;
@@ -78,22 +82,31 @@ bool is_at_common_vertex(const FaceTrims& trims, const TopoDS_Edge& a, const Top
 }
 
 // Whether two coedges that touch in a corner, as an arc and its tangent do, run along each other
-// from there to a crossing: where they are so near, it says nothing.
-bool run_from_corner(const Coedge& a, const Coedge& b, double at_crossing, double reach) {
+// from there to a common point: where they are so near, it says nothing.
+// is_corner   whether they touch in an end of the first
+bool run_from_corner(const FaceTrims& trims, const Coedge& a, const Coedge& b, double at_point,
+                     double reach, const std::function<bool(const Vec2&)>& is_corner) {
   const Interval domain = a.curve.domain();
   for (const bool first : {true, false}) {
-    const int corner = first ? a.from : a.to;
-    if (corner != b.from && corner != b.to) continue;
+    if (!is_corner(trims.corners[static_cast<std::size_t>(first ? a.from : a.to)])) continue;
     const double end = first != a.reversed ? domain.from : domain.to;
     bool is_near = true;
     for (int i = 1; i < kRunSamples && is_near; ++i) {
       const Vec2 point =
-          point_at(a.curve, at({at_crossing, end}, static_cast<double>(i) / kRunSamples));
+          point_at(a.curve, at({at_point, end}, static_cast<double>(i) / kRunSamples));
       is_near = nearest(b.curve, point).distance <= reach;
     }
     if (is_near) return true;
   }
   return false;
+}
+
+// Whether a run takes most of a coedge, which reaches farther than a corner does.
+bool fills(const Interval& run, const Coedge& coedge, double reach) {
+  const Interval domain = coedge.curve.domain();
+  return std::abs(run.to - run.from) > kTouchingPart * (domain.to - domain.from) &&
+         distance(point_at(coedge.curve, run.from), point_at(coedge.curve, run.to)) >
+             kCornerReach * reach;
 }
 
 // A point where two coedges meet though nothing joins them there.
@@ -104,19 +117,22 @@ std::optional<Vec2> meeting_place(const FaceTrims& trims, const TrimShapes& shap
   const double reach = std::max({kCornerReach * tolerance, a.tolerance, b.tolerance,
                                  common_tolerance(edge_a, edge_b)}) +
                        trims.largest_gap;
+  const double width = std::max(tolerance, a.tolerance + b.tolerance);
+  const auto is_corner = [&](const Vec2& point) {
+    return from_common_corner(trims, a, b, point) <= reach ||
+           is_at_common_vertex(trims, edge_a, edge_b, point, reach);
+  };
+  const auto joined = [&](double at_point) {
+    return is_corner(point_at(a.curve, at_point)) ||
+           run_from_corner(trims, a, b, at_point, width, is_corner);
+  };
   const PlanarCrossings common = crossings(a.curve, b.curve, tolerance);
   for (const PlanarCrossing& crossing : common.points)
-    if (from_common_corner(trims, a, b, crossing.point) > reach &&
-        !is_at_common_vertex(trims, edge_a, edge_b, crossing.point, reach) &&
-        !run_from_corner(a, b, crossing.a, std::max({tolerance, a.tolerance, b.tolerance})))
-      return crossing.point;
-  for (const PlanarOverlap& run : common.overlaps) {
-    const Vec2 ends[] = {point_at(a.curve, run.a.from), point_at(a.curve, run.a.to)};
-    const double near = std::min(from_common_corner(trims, a, b, ends[0]),
-                                 from_common_corner(trims, a, b, ends[1]));
-    if (near > reach || distance(ends[0], ends[1]) > kCornerReach * reach)
+    if (!joined(crossing.a)) return crossing.point;
+  for (const PlanarOverlap& run : common.overlaps)
+    if (!(joined(run.a.from) || joined(run.a.to)) || fills(run.a, a, reach) ||
+        fills(run.b, b, reach))
       return point_at(a.curve, 0.5 * (run.a.from + run.a.to));
-  }
   return std::nullopt;
 }
 

@@ -209,6 +209,20 @@ TEST(Soundness, FindsAnEdgeThatIsUsedThreeTimes) {
   EXPECT_NE(all_problems(found).find("used 3 times"), std::string::npos) << all_problems(found);
 }
 
+// Two towers on one plate, on tiles that meet in a corner.
+TEST(Soundness, LetsASolidTouchItselfAlongAnEdge) {
+  const TrimTool plate = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, -1), 2, 2, 1).Shape());
+  const TrimTool one = trim_tool(BRepPrimAPI_MakeBox(1, 1, 1).Shape());
+  const TrimTool other = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 0), 1, 1, 1).Shape());
+  const SolidTrimResult made = trim_solids(plate, {one, other}, SolidOperation::Fuse);
+  ASSERT_EQ(made.solids.size(), 1U);
+  const Soundness found = soundness(made.solids.front());
+  EXPECT_EQ(std::count_if(found.edges.begin(), found.edges.end(),
+                          [](const EdgeSoundness& each) { return each.crowded; }),
+            1);
+  EXPECT_EQ(all_problems(found), "");
+}
+
 TEST(Soundness, FindsASolidThatIsInsideOut) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
   EXPECT_TRUE(says(soundness(box.Reversed()).problems, "inside out"));

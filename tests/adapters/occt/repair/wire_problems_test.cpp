@@ -13,6 +13,7 @@
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -123,6 +124,41 @@ TopoDS_Face with_a_tangent(double turn) {
   builder.MakeFace(face, new Geom_Plane(gp_Pln()), Precision::Confusion());
   builder.Add(face, wire);
   return face;
+}
+
+TopoDS_Edge circle(double radius, const TopoDS_Vertex& end) {
+  const BRep_Builder builder;
+  TopoDS_Edge edge;
+  builder.MakeEdge(edge, new Geom_Circle(gp_Ax2(gp_Pnt(-radius, 0, 0), gp::DZ()), radius),
+                   Precision::Confusion());
+  builder.Range(edge, 0, 2 * std::numbers::pi);
+  builder.Add(edge, end.Oriented(TopAbs_FORWARD));
+  builder.Add(edge, end.Oriented(TopAbs_REVERSED));
+  return edge;
+}
+
+// The part of a disc outside of another one that touches its rim from inside, in a vertex of both.
+TopoDS_Face crescent(double radius) {
+  const BRep_Builder builder;
+  TopoDS_Vertex touch;
+  builder.MakeVertex(touch, gp_Pnt(0, 0, 0), Precision::Confusion());
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln()), Precision::Confusion());
+  for (const bool outer : {true, false}) {
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    const TopoDS_Edge edge = circle(outer ? radius : 0.5 * radius, touch);
+    builder.Add(wire, outer ? edge : TopoDS_Edge(TopoDS::Edge(edge.Reversed())));
+    wire.Closed(Standard_True);
+    builder.Add(face, wire);
+  }
+  return face;
+}
+
+// The large circles are within 1e-7 for 0.06 on both sides of the vertex.
+TEST(WireProblems, AreNoneWhereWiresTouchTangentially) {
+  EXPECT_TRUE(wire_problems(crescent(1)).empty());
+  EXPECT_TRUE(wire_problems(crescent(1e4)).empty());
 }
 
 TEST(WireProblems, AreNoneWhereATangentCrossesItsArcWithinTolerance) {

@@ -79,26 +79,14 @@ Measure measured(const TopoDS_Shape& shape, const Vec3& apex) {
   return sum;
 }
 
-// Wires may touch where the solids do, and keep within tolerance beside that; whether they cross is
-// seen by BRepCheck.
-bool is_touch(const Problem& problem) {
-  return problem.what.find("wire") != std::string::npos &&
-         problem.what.find("meet") != std::string::npos;
-}
-
-// What is left of a solid may meet itself in an edge, which Open CASCADE uses four times as well.
-bool is_met_again(const Problem& problem) { return problem.what == "is used 4 times in one shell"; }
-
 std::string unsound(const TopoDS_Shape& shape) {
   if (!BRepCheck_Analyzer(shape).IsValid()) return "not valid by BRepCheck";
   const Soundness all = soundness(shape);
   if (!all.problems.empty()) return all.problems.front();
   for (const FaceSoundness& face : all.faces)
-    for (const Problem& problem : face.problems)
-      if (!is_touch(problem)) return problem.text();
+    if (!face.problems.empty()) return face.problems.front().text();
   for (const EdgeSoundness& edge : all.edges)
-    for (const Problem& problem : edge.problems)
-      if (!is_met_again(problem)) return problem.text();
+    if (!edge.problems.empty()) return edge.problems.front().text();
   return "";
 }
 
