@@ -213,7 +213,7 @@ void FaceSplitter::add_repeat(int arc, const LiftedCut& lifted_cut,
                               const std::pair<double, int>& from,
                               const std::pair<double, int>& to) {
   Origin& origin = origins_[static_cast<std::size_t>(arc)];
-  if (origin.lifted_cut < 0 || from.second == to.second) return;
+  if ((origin.lifted_cut < 0 && origin.piece.IsNull()) || from.second == to.second) return;
   const Interval range{from.first, to.first};
   Interval along{at(range, 0.25), at(range, 0.75)};
   if (arcs_[static_cast<std::size_t>(arc)].from != from.second) std::swap(along.from, along.to);
@@ -305,23 +305,25 @@ void FaceSplitter::imprint(std::vector<int> arcs, FacePiece& piece) {
   }
 }
 
-std::vector<CutUse> FaceSplitter::repeats(const std::vector<int>& dangling) {
-  std::vector<CutUse> found;
+// Of arcs that cuts repeat, those that bound nothing are what both lie along all the same.
+void FaceSplitter::add_repeats(const std::vector<int>& dangling, FaceSplit& result) {
   for (std::size_t i = 0; i < origins_.size(); ++i) {
     Origin& origin = origins_[i];
     if (origin.repeats.empty()) continue;
     const int arc = static_cast<int>(i);
-    if (std::find(dangling.begin(), dangling.end(), arc) != dangling.end()) {
+    const bool dangles = std::find(dangling.begin(), dangling.end(), arc) != dangling.end();
+    if (dangles && !origin.piece.IsNull())
+      result.coincident.push_back({origin.piece, origin.edge});
+    else if (dangles) {
       if (origin.edge.IsNull()) make_edge(arc);  // it may be imprinted
-      found.push_back(origin.uses.front());
-      found.back().edge = origin.edge;
+      result.repeats.push_back(origin.uses.front());
+      result.repeats.back().edge = origin.edge;
     }
     for (CutUse use : origin.repeats) {
       use.edge = origin.edge;
-      found.push_back(use);
+      result.repeats.push_back(use);
     }
   }
-  return found;
 }
 
 FaceSplit FaceSplitter::divided(const ChartPieces& found, OpenCuts open) {
@@ -388,7 +390,7 @@ FaceSplit FaceSplitter::split(OpenCuts open) {
   if (whole || adds_up(found)) {
     FaceSplit result =
         whole ? undivided(imprints_among(found.dangling, open)) : divided(found, open);
-    result.repeats = repeats(found.dangling);
+    add_repeats(found.dangling, result);
     return result;
   }
   notes_.push_back("cuts and wires do not fit together, the face stays whole");

@@ -61,9 +61,10 @@ struct CoincidentEdge {
 struct FaceSplit {
   std::vector<FacePiece> pieces;
   std::vector<std::string> notes;            ///< cuts that were left out, and why
-  std::vector<CoincidentEdge> coincident{};  ///< that bound pieces
-  /// Where cuts repeat others: the edge of the first, along the others; and that edge itself, used
-  /// by the first cut, where it bounds no piece since the cuts are the two sides of a slit.
+  std::vector<CoincidentEdge> coincident{};  ///< that bound pieces, or that cuts repeat
+  /// Where cuts repeat others, or a coincident edge: the edge of the first, along the others; and
+  /// that edge itself, used by the first cut, where it bounds no piece since the cuts are the two
+  /// sides of a slit.
   std::vector<CutUse> repeats{};
 };
 
@@ -166,7 +167,7 @@ class FaceSplitter {
     int lifted_cut = -1;               // of cuts only
     int loop = -1;                     // of borders and internal edges
     TopoDS_Edge piece = {};            // of coincident edges: what the edge stands for
-    std::vector<CutUse> repeats = {};  // of cuts that repeat this one
+    std::vector<CutUse> repeats = {};  // of cuts that repeat this cut or coincident edge
   };
 
   PlanarCurve chart_of(const FaceCut& cut) const;
@@ -184,7 +185,8 @@ class FaceSplitter {
   int stop_near(const LiftedCut& lifted_cut, double parameter, double reach) const;
   int met_stop(const LiftedCut& lifted_cut, const CutStop& stop) const;
   void tie(int vertex, const TopoDS_Vertex& other);
-  int border_vertex(const TopoDS_Vertex& other);
+  int border_vertex(const TopoDS_Vertex& other, int on_this_side);
+  bool are_images(int a, int b) const;
   void unite(int kept, int left);
   // Whether the curve stays within `reach` between the two parameters.
   static bool is_near(const PlanarCurve& curve, double s, double t, double reach);
@@ -227,7 +229,7 @@ class FaceSplitter {
   void imprint(std::vector<int> arcs, FacePiece& piece);
   void add_repeat(int arc, const LiftedCut& lifted_cut, const std::pair<double, int>& from,
                   const std::pair<double, int>& to);
-  std::vector<CutUse> repeats(const std::vector<int>& dangling);
+  void add_repeats(const std::vector<int>& dangling, FaceSplit& result);
   FaceSplit divided(const ChartPieces& found, OpenCuts open);
   FaceSplit undivided(const std::vector<int>& imprinted = {});
   bool adds_up(const ChartPieces& found) const;

@@ -2,6 +2,8 @@
 // Between the steps: what the faces on both sides of a cut tell each other of where it is divided.
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -158,9 +160,19 @@ void FaceSplitter::divide(int cut, const CutStop& stop) {
   }
 }
 
-// The vertex on a border that is one with that of another shape, as edges that meet know; -1 if
-// there is none, or one on each of several edges.
-int FaceSplitter::border_vertex(const TopoDS_Vertex& other) {
+// Whether two points are a period of the surface apart, or most of it: such vertices may be one in
+// space, but never one in the face's plane.
+bool FaceSplitter::are_images(int a, int b) const {
+  const Vec2 &of_a = vertices_[static_cast<std::size_t>(a)].point,
+             &of_b = vertices_[static_cast<std::size_t>(b)].point;
+  for (int k = 0; k < 2; ++k)
+    if (trims_.period[k] > 0 && std::abs(of_a[k] - of_b[k]) > 0.5 * trims_.period[k]) return true;
+  return false;
+}
+
+// The vertex on a border, on this side of a seam, that is one with that of another shape, as edges
+// that meet know; -1 if there is none, or one on each of several edges.
+int FaceSplitter::border_vertex(const TopoDS_Vertex& other, int on_this_side) {
   int found = -1;
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
@@ -168,6 +180,7 @@ int FaceSplitter::border_vertex(const TopoDS_Vertex& other) {
       for (int split = 0; split < splits_.count(edge); ++split) {
         if (!splits_.are_one(splits_.vertex(edge, split), other)) continue;
         const int vertex = vertex_at_split(static_cast<int>(loop), static_cast<int>(i), split);
+        if (are_images(vertex, on_this_side)) continue;
         if (found >= 0 && found != vertex) return -1;
         found = vertex;
       }
@@ -177,10 +190,11 @@ int FaceSplitter::border_vertex(const TopoDS_Vertex& other) {
 
 // Vertices that stand for the same vertex of another face become one.
 void FaceSplitter::tie(int vertex, const TopoDS_Vertex& other) {
-  const auto known = std::find_if(aliases_.begin(), aliases_.end(),
-                                  [&](const auto& tied) { return tied.first.IsSame(other); });
+  const auto known = std::find_if(aliases_.begin(), aliases_.end(), [&](const auto& tied) {
+    return tied.first.IsSame(other) && !are_images(tied.second, vertex);
+  });
   if (known == aliases_.end()) {
-    const int own = border_vertex(other);
+    const int own = border_vertex(other, vertex);
     aliases_.emplace_back(other, own >= 0 ? own : vertex);
     if (own >= 0) unite(own, vertex);
     return;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <sstream>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -18,6 +20,8 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <gp_Quaternion.hxx>
+
+#include "adapters/occt/soundness.h"
 
 namespace blossom::testing {
 namespace {
@@ -334,6 +338,22 @@ CountedVolume counted_common(const SolidJob& job) {
   }
   const double whole = box.volume() * std::pow(job.scale(), 3);
   return {whole * inside / kPoints, whole * 1e-4};
+}
+
+std::string unsound(const TopoDS_Shape& shape) {
+  if (!BRepCheck_Analyzer(shape).IsValid()) return "not valid by BRepCheck";
+  const occt::Soundness found = occt::soundness(shape);
+  if (!found.problems.empty()) return found.problems.front();
+  for (const occt::FaceSoundness& face : found.faces)
+    if (!face.problems.empty()) return face.problems.front().text();
+  for (const occt::EdgeSoundness& edge : found.edges)
+    if (!edge.problems.empty()) return edge.problems.front().text();
+  return "";
+}
+
+int setting(const char* name, int otherwise) {
+  const char* const text = std::getenv(name);
+  return text == nullptr ? otherwise : std::atoi(text);
 }
 
 }  // namespace blossom::testing

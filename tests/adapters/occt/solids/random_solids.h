@@ -64,4 +64,10 @@ struct CountedVolume {
 };
 CountedVolume counted_common(const SolidJob& job);
 
+/// The first thing that BRepCheck or `soundness` says against a shape; empty if it is sound.
+std::string unsound(const TopoDS_Shape& shape);
+
+/// The value of an environment variable.
+int setting(const char* name, int otherwise);
+
 }  // namespace blossom::testing

@@ -23,7 +23,6 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
-#include <BRepCheck_Analyzer.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -35,7 +34,6 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/solid_trim.h"
-#include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
 #include "tests/adapters/occt/solids/random_solids.h"
 #include "tests/bench/apart.h"
@@ -53,11 +51,6 @@ constexpr double kAreas = 1e-4;   // relative
 constexpr double kCoarse = 1e-2;  // of a volume: what is known no better is no reference
 constexpr double kPoint = 1e-7;   // the default tolerance, model units
 constexpr double kPatience = 60;  // seconds of processor time that Open CASCADE may take
-
-int setting(const char* name, int otherwise) {
-  const char* const text = std::getenv(name);
-  return text == nullptr ? otherwise : std::atoi(text);
-}
 
 // What a shape measures, by integration over its faces.
 struct Measure {
@@ -77,17 +70,6 @@ Measure measured(const TopoDS_Shape& shape, const Vec3& apex) {
       sum.area += area(TopoDS::Face(it.Current()));
     }
   return sum;
-}
-
-std::string unsound(const TopoDS_Shape& shape) {
-  if (!BRepCheck_Analyzer(shape).IsValid()) return "not valid by BRepCheck";
-  const Soundness all = soundness(shape);
-  if (!all.problems.empty()) return all.problems.front();
-  for (const FaceSoundness& face : all.faces)
-    if (!face.problems.empty()) return face.problems.front().text();
-  for (const EdgeSoundness& edge : all.edges)
-    if (!edge.problems.empty()) return edge.problems.front().text();
-  return "";
 }
 
 // What Open CASCADE makes, and how far off its curves may make the volume.
@@ -183,7 +165,7 @@ bool Judged::only_own_area_adds_up(double own, double other) const {
 std::string Judged::fault(const SolidTrimResult& made) const {
   const TopoDS_Shape shape = compound_of(made.solids);
   if (!made.solids.empty())
-    if (const std::string why = unsound(shape); !why.empty()) return why;
+    if (const std::string why = testing::unsound(shape); !why.empty()) return why;
   const Vec3 apex = middle_of(job);
   const Measure own = measured(shape, apex);
   // Of a split, what both have in common is compared, since the sum is always the same.
@@ -314,7 +296,8 @@ TEST(RandomSolids, CylindersMayCrossInWhatIsNearlyALine) {
 TEST(RandomSolids, OpenCascadeMayCrash) { expect_right(60867); }
 
 TEST(RandomSolids, AreCombinedAsClosedFormsAndOpenCascadeSay) {
-  const int first = setting("BLOSSOM_SEED", 0), trials = setting("BLOSSOM_TRIALS", 100);
+  const int first = testing::setting("BLOSSOM_SEED", 0),
+            trials = testing::setting("BLOSSOM_TRIALS", 100);
   int wrong = 0, refused = 0;
   std::vector<double> milliseconds;
   for (int seed = first; seed < first + trials; ++seed) {

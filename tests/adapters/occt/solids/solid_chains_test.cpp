@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Results of results: solids on a grid, put together and cut again and again, so that the part
+// comes to touch itself along edges and in walls, and has ever more faces, edges and seams.
+//
+// A chain is named by its seed. BLOSSOM_TRIALS sets how many there are, BLOSSOM_SEED the first;
+// what goes wrong is written to the working folder as chain_SEED_{a,b}.brep.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <string>
+
+#include <BRepTools.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/faces/area.h"
+#include "adapters/occt/solid_trim.h"
+#include "tests/adapters/occt/solids/random_solids.h"
+#include "tests/support/random.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr int kChainSteps = 10;
+
+double volume_of(const TopoDS_Shape& shape) {
+  double sum = 0;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    sum += cone_volume(TopoDS::Face(it.Current()), {0, 0, 0});
+  return sum;
+}
+
+struct Made {
+  TopoDS_Shape shape;
+  std::string fault;
+};
+
+Made combined(const TopoDS_Shape& a, const TopoDS_Shape& b, SolidOperation operation) {
+  const SolidTrimResult made = trim_solids(trim_tool(a), {trim_tool(b)}, operation);
+  if (!made.obstacles.empty()) return {{}, made.obstacles.front()};
+  const TopoDS_Shape shape = compound_of(made.solids);
+  return {shape, testing::unsound(shape)};
+}
+
+// What is wrong with a step, whose volume is told by that of what both have in common as well.
+std::string fault_of(const Made& made, const TopoDS_Shape& a, const TopoDS_Shape& b, bool fuse) {
+  if (!made.fault.empty()) return made.fault;
+  const Made common = combined(a, b, SolidOperation::Common);
+  if (!common.fault.empty()) return "common: " + common.fault;
+  const double whole = volume_of(a) + (fuse ? volume_of(b) : 0);
+  const double off = volume_of(made.shape) + volume_of(common.shape) - whole;
+  return std::abs(off) <= 1e-6 * whole ? "" : "volumes are off by " + std::to_string(off);
+}
+
+// Empty where all steps are right.
+std::string chain_fault(int seed) {
+  testing::Random random(static_cast<std::uint32_t>(seed));
+  TopoDS_Shape part = testing::random_tool(random).shape();
+  for (int step = 0; step < kChainSteps; ++step) {
+    const TopoDS_Shape tool = testing::random_tool(random).shape();
+    const bool fuse = testing::pick(random, 0, 2) > 0;
+    const Made made = combined(part, tool, fuse ? SolidOperation::Fuse : SolidOperation::Cut);
+    if (const std::string fault = fault_of(made, part, tool, fuse); !fault.empty()) {
+      BRepTools::Write(part, ("chain_" + std::to_string(seed) + "_a.brep").c_str());
+      BRepTools::Write(tool, ("chain_" + std::to_string(seed) + "_b.brep").c_str());
+      return "step " + std::to_string(step) + (fuse ? ", fuse: " : ", cut: ") + fault;
+    }
+    part = made.shape;
+    if (!TopExp_Explorer(part, TopAbs_SOLID).More()) break;
+  }
+  return "";
+}
+
+TEST(SolidChains, StayRight) {
+  const int first = testing::setting("BLOSSOM_SEED", 0),
+            trials = testing::setting("BLOSSOM_TRIALS", 4);
+  int wrong = 0;
+  for (int seed = first; seed < first + trials; ++seed) {
+    const std::string fault = chain_fault(seed);
+    if (fault.empty()) continue;
+    ++wrong;
+    std::cout << "chain " << seed << ", " << fault << std::endl;
+  }
+  std::cout << trials << " chains of " << kChainSteps << " from seed " << first << ": " << wrong
+            << " faults\n";
+  EXPECT_EQ(wrong, 0);
+}
+
+}  // namespace
+}  // namespace blossom::occt
