@@ -7,6 +7,7 @@
 #include "adapters/occt/solids/tolerances/contact_scale.h"
 #include "adapters/occt/solids/tolerances/stated_tolerance.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "adapters/occt/splitting/limits.h"
 
 namespace blossom::occt {
 namespace {

@@ -21,8 +21,8 @@
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/solids/limits.h"
-#include "adapters/occt/splitting/common_edges.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "adapters/occt/splitting/limits.h"
 
 namespace blossom::occt {
 namespace {

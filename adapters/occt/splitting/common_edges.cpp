@@ -20,6 +20,7 @@
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
 #include "adapters/occt/splitting/edges_in_reach.h"
+#include "adapters/occt/splitting/limits.h"
 #include "core/bounds/box_tree.h"
 #include "core/plane/limits.h"
 

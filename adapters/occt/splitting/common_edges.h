@@ -30,14 +30,6 @@
 
 namespace blossom::occt {
 
-/// How near is on a surface or an edge of the other shape, in tolerances: each of the two may be
-/// off by one. What the intersection of faces tells apart, which is more than one tolerance, is not
-/// to lie on each other.
-inline constexpr double kLiesReach = 2;
-
-/// The same for shapes that are worse than they state. A choice.
-inline constexpr double kLooseReach = 10;
-
 /// Edges of two shapes that keep within tolerance of each other.
 struct EdgesAlong {
   TopoDS_Edge a, b;

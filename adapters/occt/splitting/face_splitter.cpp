@@ -15,6 +15,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/splitting/limits.h"
 #include "core/plane/cut_crossings.h"
 #include "core/plane/limits.h"
 
@@ -216,7 +217,8 @@ bool FaceSplitter::add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meet
     const double length = distance(point, met);
     if (length > tangency_length(trims_, reach(lifted_cut))) continue;
     const PlanarFoot foot = nearest_of_line(lifted_cut.curve, point);
-    if (foot.distance > (is_known ? std::max(allowed, 8 * reach(lifted_cut)) : most)) continue;
+    if (foot.distance > (is_known ? std::max(most, kLiesReach * reach(lifted_cut)) : most))
+      continue;
     const bool keeps = std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75}, [&](double part) {
       const double there =
           on_the_way(lifted_cut.curve, foot.parameter, meeting.at, part, reach(lifted_cut));

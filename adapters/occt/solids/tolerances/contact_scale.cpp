@@ -19,7 +19,7 @@
 #include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/faces/surface_projector.h"
-#include "adapters/occt/splitting/common_edges.h"
+#include "adapters/occt/splitting/limits.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {

@@ -287,6 +287,9 @@ TEST(RandomSolids, ACurveMayTouchARim) {
   for (const int seed : {40725, 60681, 70175, 70548, 80290}) expect_right(seed);
 }
 
+// At an angle, and farther from the vertex than both are off.
+TEST(RandomSolids, ACurveMayCrossAnEdgeBesideItsVertex) { expect_right(1200522); }
+
 // Beside no ruling of either by more than some 1e-12 of an angle, on radii of thousands.
 TEST(RandomSolids, CylindersMayCrossInWhatIsNearlyALine) {
   for (const int seed : {71053, 72460}) expect_right(seed);
