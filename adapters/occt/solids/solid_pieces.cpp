@@ -54,6 +54,7 @@ struct CurveUse {
   std::size_t face_b = 0, cut_b = 0;
   bool touch = false;      // the faces do not cross there
   double uncertainty = 0;  // how far beyond the vertices it ends in it may go on
+  bool in_vertex = false;  // as a whole, so that it divides nothing
 };
 
 void add_curve(const FaceIntersection& pair, std::size_t place, Side& a, Side& b,
@@ -122,8 +123,22 @@ double end_uncertainty(const std::vector<CutStop>& stops) {
   return stops.empty() ? 0 : std::max(stops.front().uncertainty, stops.back().uncertainty);
 }
 
+// Whether a cut is in one vertex: all its stops are one, and so near each other that it is not a
+// loop through a vertex.
+bool is_in_vertex(const Spline& cut, const std::vector<CutStop>& stops, const EdgeSplits& splits) {
+  if (stops.size() == 1) return true;
+  const auto is_first = [&](const CutStop& stop) {
+    return !stop.vertex.IsNull() && splits.are_one(stop.vertex, stops.front().vertex);
+  };
+  if (stops.empty() || !std::ranges::all_of(stops, is_first)) return false;
+  const Interval whole{stops.front().parameter, stops.back().parameter};
+  const Vec3 from = point_at(cut, whole.from);
+  return distance(from, point_at(cut, at(whole, 0.5))) <=
+         std::max(distance(from, point_at(cut, whole.to)), end_uncertainty(stops));
+}
+
 // Every curve is divided at the same places on both sides.
-void exchange_stops(Side& a, Side& b, std::vector<CurveUse>& uses) {
+void exchange_stops(Side& a, Side& b, std::vector<CurveUse>& uses, const EdgeSplits& splits) {
   for (const Telling tell : {&FaceSplitter::unite_borders, &FaceSplitter::meet})
     for (const CurveUse& use : uses) {
       FaceSplitter &on_a = *a.faces[use.face_a].splitter(), &on_b = *b.faces[use.face_b].splitter();
@@ -141,6 +156,8 @@ void exchange_stops(Side& a, Side& b, std::vector<CurveUse>& uses) {
     for (const CutStop& stop : of_b) on_a.divide(cut_a, stop);
     for (const CutStop& stop : of_a) on_b.divide(cut_b, stop);
     use.uncertainty = std::max(end_uncertainty(of_a), end_uncertainty(of_b));
+    const Spline& curve = a.faces[use.face_a].cuts()[use.cut_a].curve;
+    use.in_vertex = is_in_vertex(curve, of_a, splits) && is_in_vertex(curve, of_b, splits);
   }
 }
 
@@ -162,7 +179,7 @@ void split_both(Side& a, Side& b, std::vector<CurveUse>& uses, const CommonEdges
       if (!face.cuts().empty()) face.begin(job);
   for (Side* side : {&a, &b})
     for (FaceDivision& face : side->faces) face.settle();
-  exchange_stops(a, b, uses);
+  exchange_stops(a, b, uses, job.splits);
   common.match(job.splits);
   add_coincident(common.in_a(), common, a, job);
   add_coincident(common.in_b(), common, b, job);
@@ -222,6 +239,7 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
   const bool b_ends = ends_in_solid(a, b, on_b);
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const CurveUse& use = uses[i];
+    if (use.in_vertex) continue;
     const Spline& curve = a.faces[use.face_a].cuts()[use.cut_a].curve;
     // Ends that stick out over the border of a face by its edges' tolerances, or by what a vertex
     // is uncertain, are left out; more would be an intersection that is lost.

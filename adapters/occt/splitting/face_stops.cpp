@@ -136,10 +136,21 @@ void FaceSplitter::unite_loose_ends() {
   }
 }
 
+// What is in a vertex of the border is that vertex, however it came to be so wide.
 void FaceSplitter::tidy() {
+  for (Vertex& at : vertices_)
+    if (at.split >= 0)
+      at.uncertainty =
+          std::max(at.uncertainty, splits_.covered(edge_of(coedge(at.loop, at.coedge)), at.split));
   unite_uncertain();
   unite_loose_ends();
   for (LiftedCut& lifted_cut : lifted_cuts_) tidy_stops(lifted_cut, 8 * reach(lifted_cut));
+  // What is one here is one everywhere.
+  for (auto tied = aliases_.begin(); tied != aliases_.end(); ++tied)
+    if (const auto first =
+            std::ranges::find(aliases_, tied->second, &std::pair<TopoDS_Vertex, int>::second);
+        first != tied)
+      splits_.unite(first->first, tied->first);
 }
 
 void FaceSplitter::divide(int cut, const CutStop& stop) {
@@ -190,8 +201,8 @@ int FaceSplitter::border_vertex(const TopoDS_Vertex& other, int on_this_side) {
 
 // Vertices that stand for the same vertex of another face become one.
 void FaceSplitter::tie(int vertex, const TopoDS_Vertex& other) {
-  const auto known = std::find_if(aliases_.begin(), aliases_.end(), [&](const auto& tied) {
-    return tied.first.IsSame(other) && !are_images(tied.second, vertex);
+  const auto known = std::ranges::find_if(aliases_, [&](const auto& tied) {
+    return splits_.are_one(tied.first, other) && !are_images(tied.second, vertex);
   });
   if (known == aliases_.end()) {
     const int own = border_vertex(other, vertex);

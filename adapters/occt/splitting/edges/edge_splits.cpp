@@ -188,6 +188,14 @@ void EdgeSplits::widen(const TopoDS_Edge& edge, int split, double tolerance) {
   widened_.emplace_back(vertex(edge, split), tolerance);
 }
 
+double EdgeSplits::covered(const TopoDS_Edge& edge, int split) const {
+  const TopoDS_Vertex of = vertex(edge, split);
+  double most = BRep_Tool::Tolerance(of);
+  for (const auto& [widened, tolerance] : widened_)
+    if (widened.IsSame(of)) most = std::max(most, tolerance);
+  return most;
+}
+
 bool EdgeSplits::is_split(const TopoDS_Edge& edge) const {
   const Record* of = find(edge);
   return of != nullptr && of->splits.size() > 2;

@@ -58,6 +58,9 @@ class EdgeSplits {
   /// is near it until then does not depend on who asked first.
   void widen(const TopoDS_Edge& edge, int split, double tolerance);
 
+  /// What the vertex of a split covers so far: its tolerance, or what it is to be widened to.
+  double covered(const TopoDS_Edge& edge, int split) const;
+
   /// Says that all along an interval of its parameters the edge is in one place, as where it
   /// touches a face: whatever is asked for there after this is the nearest split that is there
   /// already, one that edges meet in before others. Its vertex is widened to cover it.

@@ -168,11 +168,12 @@ TopoDS_Edge EdgeUnion::united(const TopoDS_Edge& edge) {
   const BRep_Builder builder;
   TopoDS_Edge made = TopoDS::Edge(first.EmptyCopied());
   bool changed = curves_for_.IsBound(first);
+  int swallowed = 0;
   for (TopoDS_Iterator it(first); it.More(); it.Next()) {
     const TopoDS_Vertex vertex = TopoDS::Vertex(it.Value());
     const TopoDS_Vertex other = united(vertex);
     changed = changed || !other.IsSame(vertex);
-    if (reaches_middle(other, vertex, first)) ++swallowed_;
+    swallowed += reaches_middle(other, vertex, first) ? 1 : 0;
     builder.Add(made, other.Oriented(vertex.Orientation()));
     // The image of a degenerated edge stays in its pole.
     if (BRep_Tool::Degenerated(first))
@@ -195,6 +196,8 @@ TopoDS_Edge EdgeUnion::united(const TopoDS_Edge& edge) {
       left_out_.Add(made);
     else
       ++collapsed_;
+  } else {
+    swallowed_ += swallowed;
   }
   made_edges_.Bind(first, made);
   return made;

@@ -287,6 +287,12 @@ TEST(RandomSolids, ACurveMayTouchARim) {
   for (const int seed : {40725, 60681, 70175, 70548, 80290}) expect_right(seed);
 }
 
+// Where an edge is within tolerance of a surface, the intersection with the one face at it is a
+// contact, and with the other one a curve that cuts off less than the tolerance.
+TEST(RandomSolids, ACurveMayLieInTheVertexInWhichItEnds) {
+  for (const int seed : {43, 61056}) expect_right(seed);
+}
+
 // At an angle, and farther from the vertex than both are off.
 TEST(RandomSolids, ACurveMayCrossAnEdgeBesideItsVertex) { expect_right(1200522); }
 
