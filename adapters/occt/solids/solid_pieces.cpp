@@ -17,6 +17,7 @@
 #include "adapters/occt/base/kept_tolerances.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/intersection.h"
+#include "adapters/occt/solids/contact_vertices.h"
 #include "adapters/occt/solids/curve_edges.h"
 #include "adapters/occt/solids/sheet_ends.h"
 #include "adapters/occt/solids/solid_loose_ends.h"
@@ -171,14 +172,34 @@ void add_coincident(const std::vector<std::vector<TopoDS_Edge>>& edges, const Co
     }
 }
 
-void split_both(Side& a, Side& b, std::vector<CurveUse>& uses, const CommonEdges& common,
-                const DivisionJob& job) {
+// The vertices of the face's border in which a cut is divided.
+std::vector<TopoDS_Vertex> border_stops(const FaceDivision& face, std::size_t cut) {
+  std::vector<TopoDS_Vertex> found;
+  for (const CutStop& stop : face.splitter()->stops(static_cast<int>(cut)))
+    if (!stop.vertex.IsNull()) found.push_back(stop.vertex);
+  return found;
+}
+
+void unite_contacts(const ShapeIntersection& found, const Side& a, const Side& b,
+                    const std::vector<CurveUse>& uses, const DivisionJob& job) {
+  if (std::ranges::none_of(found.pairs, has_contact)) return;
+  std::vector<CutEnds> ends;
+  for (const CurveUse& use : uses)
+    ends.push_back({{use.face_a, use.face_b},
+                    {border_stops(a.faces[use.face_a], use.cut_a),
+                     border_stops(b.faces[use.face_b], use.cut_b)}});
+  unite_in_contacts(found, {&a.solid->faces, &b.solid->faces}, ends, job.tolerance, job.splits);
+}
+
+void split_both(const ShapeIntersection& found, Side& a, Side& b, std::vector<CurveUse>& uses,
+                const CommonEdges& common, const DivisionJob& job) {
   common.split(job.splits);
   for (Side* side : {&a, &b})
     for (FaceDivision& face : side->faces)
       if (!face.cuts().empty()) face.begin(job);
   for (Side* side : {&a, &b})
     for (FaceDivision& face : side->faces) face.settle();
+  unite_contacts(found, a, b, uses, job);
   exchange_stops(a, b, uses, job.splits);
   common.match(job.splits);
   add_coincident(common.in_a(), common, a, job);
@@ -407,7 +428,7 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
   if (!result.obstacles.empty()) return result;
   EdgeSplits splits(tolerance);
   if (!attempt("splitting the solids", limit, result, [&] {
-        split_both(side_a, side_b, uses, common, {splits, tolerance, &limit});
+        split_both(found, side_a, side_b, uses, common, {splits, tolerance, &limit});
       }))
     return result;
   EdgeUnion joined;

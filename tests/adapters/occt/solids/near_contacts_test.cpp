@@ -302,5 +302,24 @@ TEST(NearContacts, CurvesMayCrossByChanceInTheNodeInWhichTheyEnd) {
   EXPECT_NEAR(common(1e-9), common(0), 1e-6);
 }
 
+// Six balls round a cap of their radius all go through the middle of its flat face but for 3e-7,
+// and so do neighbours through one place of its rim: between them there they leave nothing that is
+// as wide as the tolerance, and curves that end in different places of that. The volume by
+// integration.
+TEST(NearContacts, BallsMayMissACommonPointByAFewTolerances) {
+  const double radius = 20, sixth = kPi / 3, below = kPi / 18000;
+  const TopoDS_Shape cap = BRepPrimAPI_MakeSphere(radius, -below, kPi / 2).Shape();
+  std::vector<TrimTool> balls;
+  for (int i = 0; i < 6; ++i) {
+    const double at = (i + 0.5) * sixth;
+    const gp_Pnt centre(radius * std::cos(at), radius * std::sin(at), 0);
+    balls.push_back(trim_tool(BRepPrimAPI_MakeSphere(centre, radius).Shape()));
+  }
+  const SolidTrimResult made = trim_solids(trim_tool(cap), balls, SolidOperation::Cut);
+  ASSERT_EQ(made.obstacles.empty() ? std::string() : made.obstacles.front(), "");
+  EXPECT_NEAR(made.total.result, 1463.1623282, 1e-6);
+  for (const TopoDS_Solid& solid : made.solids) EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
+}
+
 }  // namespace
 }  // namespace blossom::occt

@@ -287,6 +287,12 @@ TEST(RandomSolids, ACurveMayTouchARim) {
   for (const int seed : {40725, 60681, 70175, 70548, 80290}) expect_right(seed);
 }
 
+// Two faces touch, and a curve of each with a neighbour of the other ends in what they touch in, in
+// different places of it.
+TEST(RandomSolids, CurvesMayEndInAContactOfOtherFaces) {
+  for (const int seed : {71595, 2000098}) expect_right(seed);
+}
+
 // Where an edge is within tolerance of a surface, the intersection with the one face at it is a
 // contact, and with the other one a curve that cuts off less than the tolerance.
 TEST(RandomSolids, ACurveMayLieInTheVertexInWhichItEnds) {
