@@ -201,13 +201,13 @@ void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
                   (options.chamfer ? "distances" : "radii") + " tried none works either";
     if (!found) return;
     why.largest = found->radius;
+    why.at_least = found->at_least;
     why.of_chamfer = options.chamfer.has_value();
     if (!found->stopped.empty())
       why.tried = std::string("; larger ") + (options.chamfer ? "distances" : "balls") +
                   " are stopped by " + found->stopped;
     if (found->radius > changed->size)
-      why.tried = std::string("; no smaller ") + (options.chamfer ? "distance" : "radius") +
-                  " that was tried works, but larger ones do";
+      why.tried = std::string("; larger ") + (options.chamfer ? "distances" : "radii") + " work";
     if (changed->edge > 0 && changed->edge != why.edge)
       why.tried += "; smaller radii of edge " + std::to_string(changed->edge) +
                    " were tried, while others kept theirs";

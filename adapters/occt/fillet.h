@@ -45,8 +45,8 @@ struct FilletRefusal {
   std::string cause;
   std::optional<double> parameter{};  ///< of the edge
   std::optional<Vec3> point{};        ///< model units
-  /// The largest radius that works, model units: the edges were rounded with it, and cannot be with
-  /// one 1 % larger. Of many edges at once it is only some radius that works.
+  /// The largest radius that works, model units, whatever radius was asked for: the edges were
+  /// rounded with it, and cannot be with one larger by 1e-3 of it.
   std::optional<double> largest{};
   /// Of a chamfer: the largest is a distance, the first if there are two; the same is said of it.
   bool of_chamfer = false;
@@ -55,6 +55,7 @@ struct FilletRefusal {
   double fits = 1;
   /// What other sizes showed, to follow the cause and the place: "; of the smaller radii ...".
   std::string tried{};
+  bool at_least = false;  ///< the search for the largest ended early: larger ones may work
 
   /// The largest as all doors tell it, six digits, cut off: what is told is to work.
   std::optional<double> told_largest() const;

@@ -34,8 +34,13 @@ const char* to_string(FilletFault fault) {
 
 std::optional<double> FilletRefusal::told_largest() const {
   if (!largest) return std::nullopt;
-  const double digit = std::pow(10, std::floor(std::log10(*largest)) - 5);
-  return digit * std::floor(*largest / digit);
+  const int exponent = 5 - static_cast<int>(std::floor(std::log10(*largest)));
+  const auto cut_off = [&](double number) {  // by a power of ten that has no rounding, if it may
+    return exponent < 0 ? number * std::pow(10, -exponent) : number / std::pow(10, exponent);
+  };
+  const double number = std::floor(exponent < 0 ? *largest / std::pow(10, -exponent)
+                                                : *largest * std::pow(10, exponent));
+  return cut_off(number) > *largest ? cut_off(number - 1) : cut_off(number);
 }
 
 std::string told_place(const Vec3& place) {
@@ -55,7 +60,7 @@ std::string FilletRefusal::text() const {
   text << tried;
   if (largest)
     text << "; the largest " << (of_chamfer ? "distance" : "radius") << " that works is "
-         << *told_largest();
+         << (at_least ? "at least " : "") << *told_largest();
   return text.str();
 }
 

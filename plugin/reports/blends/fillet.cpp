@@ -84,7 +84,8 @@ Json refusal_json(const occt::FilletRefusal& refusal) {
           {"cause", refusal.cause + refusal.tried},
           {"parameter", number_or_null(refusal.parameter)},
           {"point", refusal.point ? Json(refusal.point->coordinates) : Json(nullptr)},
-          {"largest_radius", number_or_null(refusal.told_largest())}};
+          {"largest_radius", number_or_null(refusal.told_largest())},
+          {"largest_is_bound", refusal.at_least}};
 }
 
 std::vector<int> edges_to_round(const std::vector<occt::EdgeFacts>& facts,

@@ -312,9 +312,7 @@ TEST(FilletOfRealFaces, IsToldALargerRadiusWhereNoSmallerOneWorks) {
   const FilletRefusal& why = made.refused.front();
   ASSERT_TRUE(why.largest) << told(made);
   EXPECT_GT(*why.largest, 2);
-  EXPECT_NE(told(made).find("no smaller radius that was tried works, but larger ones do"),
-            std::string::npos)
-      << told(made);
+  EXPECT_NE(told(made).find("larger radii work"), std::string::npos) << told(made);
   expect_sound(fillet(model.shape(), {36}, {.radius = *why.told_largest(), .largest = false}));
 }
 

@@ -33,9 +33,9 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kClose = 2e-6;   // model units: as far as brackets of radii up to 2 are closed
-constexpr double kRough = 0.011;  // of a radius: likewise, where trials round many edges
-constexpr double kExact = 1e-8;   // model units: where the condition is solved that stops the ball
+constexpr double kClose = 2e-6;  // model units: as far as brackets of radii up to 2 are closed
+constexpr double kRough = 1e-3;  // of a radius: likewise, where edges have to be rounded
+constexpr double kExact = 1e-8;  // model units: where the condition is solved that stops the ball
 
 std::vector<int> edges_that_have(const TopoDS_Shape& shape, EdgeKind kind) {
   std::vector<int> found;
@@ -90,6 +90,26 @@ TEST(LargestFillet, IsFoundWhereOnlyResultsTellIt) {
       BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeCylinder(gp_Ax2({10, 10, -1}, {0, 0, 1}), 8, 12))
           .Shape();
   expect_told(bored, edges_that_have(bored, EdgeKind::Convex), 1.5, 1, kRough);
+}
+
+// Radii from where the rims' strips meet on: one answer, of the ladder and of what is near the
+// place.
+TEST(LargestFillet, IsTheSameWhateverRadiusIsAskedFor) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(20, 20, 10).Shape();
+  const TopoDS_Shape bored =
+      BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeCylinder(gp_Ax2({10, 10, -1}, {0, 0, 1}), 8, 12))
+          .Shape();
+  const std::vector<int> edges = edges_that_have(bored, EdgeKind::Convex);
+  double first = 0;
+  for (const double radius : {1.1, 1.5, 2.0, 3.1, 7.0}) {
+    const FilletResult made = fillet(bored, edges, {.radius = radius});
+    ASSERT_EQ(made.refused.size(), 1U);
+    const FilletRefusal& why = made.refused.front();
+    ASSERT_TRUE(why.largest) << why.text();
+    EXPECT_FALSE(why.at_least);
+    if (first == 0) first = *why.largest;
+    EXPECT_NEAR(*why.largest, first, 1e-9 * first) << radius;
+  }
 }
 
 // A step with a notch 2 beside its edge, past which the concave edge's strip cannot go. What the
@@ -178,7 +198,7 @@ TEST(LargestFillet, IsNotThatOfALimitAtWhichAloneNoneIsMade) {
       fillet(shape, edges_that_have(shape, EdgeKind::Convex), {.radius = 1.178});
   ASSERT_EQ(made.refused.size(), 1U);
   ASSERT_TRUE(made.refused.front().largest);
-  EXPECT_NEAR(*made.refused.front().largest, 0.88, kRough);
+  EXPECT_NEAR(*made.refused.front().largest, 0.885, kRough);
 }
 
 // Each trial rounds more edges than all that follow the first may.
@@ -206,6 +226,13 @@ TEST(LargestFillet, IsNotLookedForWhereItIsNotWanted) {
 TEST(LargestFillet, IsToldInDigitsThatWork) {
   const FilletRefusal why{FilletFault::NoBall, 3, "too large", {}, {}, 8.93829999};
   EXPECT_NE(why.text().find("works is 8.93829"), std::string::npos) << why.text();
+}
+
+TEST(LargestFillet, IsAtLeastWhatWorkedWhereTheSearchEndedEarly) {
+  FilletRefusal why{FilletFault::NoBall, 3, "too large", {}, {}, 2};
+  why.at_least = true;
+  EXPECT_NE(why.text().find("the largest radius that works is at least 2"), std::string::npos)
+      << why.text();
 }
 
 }  // namespace
