@@ -34,6 +34,19 @@ std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
   return faces;
 }
 
+std::vector<TopoDS_Edge> loose_edges_of(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Edge> edges;
+  if (shape.IsNull()) return edges;
+  TopTools_IndexedMapOfShape known;
+  for (TopExp_Explorer it(shape, TopAbs_EDGE, TopAbs_FACE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (known.Contains(edge) || BRep_Tool::Degenerated(edge)) continue;
+    known.Add(edge);
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
 namespace {
 
 // The largest tolerance that edges and vertices of a face state.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -17,6 +18,9 @@ namespace blossom::occt {
 
 /// The faces of a shape in the order of TopExp::MapShapes: face number k is at place k - 1.
 std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape);
+
+/// The edges of a shape that are in it beside its faces, each once; without degenerated ones.
+std::vector<TopoDS_Edge> loose_edges_of(const TopoDS_Shape& shape);
 
 struct JoinedIntersection {
   TopoDS_Compound wires;

@@ -68,6 +68,12 @@ struct EdgeStop {
   double parameter = 0;
   double reach = 0;  // by which it was found
   bool sure = true;
+  TopoDS_Shape on{};  // what is met there, if that is known
+
+  // Of what several stops are on, the shape of least dimension.
+  void add(const TopoDS_Shape& other) {
+    if (!other.IsNull() && (on.IsNull() || other.ShapeType() > on.ShapeType())) on = other;
+  }
 };
 
 // Stops that an edge does not leave between them, by more than one of them was found by, are one:
@@ -80,15 +86,19 @@ std::vector<EdgeStop> distinct_stops(std::vector<EdgeStop> stops, const RangedCu
            distance(point, vec(of.curve->Value(0.5 * (s + t)))) <= reach;
   };
   std::ranges::sort(stops, {}, &EdgeStop::parameter);
-  const EdgeStop last{of.range.to};
+  EdgeStop last{of.range.to};
   std::vector<EdgeStop> kept{{of.range.from}};
   for (const EdgeStop& stop : stops) {
-    if (stop.parameter <= of.range.from || stop.parameter >= of.range.to || is_place(stop, last))
-      continue;
-    if (!is_place(kept.back(), stop))
+    if (stop.parameter >= of.range.to || is_place(stop, last)) {
+      last.add(stop.on);
+    } else if (stop.parameter <= of.range.from || is_place(kept.back(), stop)) {
+      const TopoDS_Shape on = kept.back().on;
+      if (!kept.back().sure) kept.back() = stop;
+      kept.back().add(stop.on);
+      kept.back().add(on);
+    } else {
       kept.push_back(stop);
-    else if (!kept.back().sure)
-      kept.back() = stop;
+    }
   }
   kept.push_back(last);
   return kept;
@@ -134,7 +144,11 @@ struct EdgeMeetings {
   double tolerance;  // which it states
   std::vector<EdgeStop> stops;
   std::vector<Run> in_surfaces;
-  std::vector<Interval> along_edges;
+  struct Along {
+    Interval range;
+    TopoDS_Edge edge;
+  };
+  std::vector<Along> along_edges;
   Status status = Status::Complete;
   std::vector<std::string> reasons;
   bool open = false;
@@ -153,9 +167,9 @@ struct EdgeMeetings {
     status = weaker(status, Status::Tolerance);
     add_reason(kContactsWithinTolerance);
   }
-  void add_run(const Interval& run, double reach, bool sure) {
-    stops.push_back({run.from, reach, sure});
-    stops.push_back({run.to, reach, sure});
+  void add_run(const Interval& run, double reach, bool sure, const TopoDS_Shape& on) {
+    stops.push_back({run.from, reach, sure, on});
+    stops.push_back({run.to, reach, sure, on});
   }
   // Where more counts as common than was asked for.
   void tell_reach(double asked) {
@@ -214,14 +228,18 @@ void EdgeDivider::meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met) {
     options.tolerances.point = reach;
     const CurveSurfaceIntersection found = intersect(edge, face, options);
     met.add_state(found);
-    for (const CurveSurfacePoint& point : found.points) met.stops.push_back({point.t, reach});
+    for (const CurveSurfacePoint& point : found.points)
+      met.stops.push_back({point.t, reach, true, face});
     bool lies = false;  // a touch is one place
     for (const CurveSurfaceOverlap& run : found.overlaps) {
       const bool touch = passes(met.of, run.t, chart_of(i).feet, reach);
+      const double middle = at(run.t, 0.5);
       if (touch)
-        met.stops.push_back({at(run.t, 0.5), reach});
+        met.stops.push_back(
+            {middle, reach, true,
+             lies_on(i, vec(met.of.curve->Value(middle)), reach) ? face : TopoDS_Face()});
       else
-        met.add_run(run.t, kRunEnd * reach, false);
+        met.add_run(run.t, kRunEnd * reach, false, {});
       lies = lies || !touch;
     }
     if (lies) met.in_surfaces.push_back({i, reach});
@@ -234,7 +252,7 @@ void EdgeDivider::meet_edges(const TopoDS_Edge& edge, EdgeMeetings& met) {
     const double reach = reach_of(tolerance_, met.tolerance, BRep_Tool::Tolerance(other));
     if (box.IsOut(enlarged(met.box, reach))) continue;
     if (other.IsSame(edge)) {
-      met.along_edges.push_back(met.of.range);
+      met.along_edges.push_back({met.of.range, other});
       continue;
     }
     if (limit_.is_reached()) return met.stop();
@@ -242,10 +260,10 @@ void EdgeDivider::meet_edges(const TopoDS_Edge& edge, EdgeMeetings& met) {
     options.tolerances.point = reach;
     const CurveIntersection found = intersect(edge, other, options);
     met.add_state(found);
-    for (const CurvePoint& point : found.points) met.stops.push_back({point.a, reach});
+    for (const CurvePoint& point : found.points) met.stops.push_back({point.a, reach, true, other});
     for (const CurveOverlap& run : found.overlaps) {
-      met.add_run(run.a, reach, true);
-      met.along_edges.push_back(run.a);
+      met.add_run(run.a, reach, true, other);
+      met.along_edges.push_back({run.a, other});
     }
   }
 }
@@ -256,7 +274,7 @@ void EdgeDivider::meet_vertices(EdgeMeetings& met) const {
     const gp_Pnt point = BRep_Tool::Pnt(vertex);
     if (enlarged(met.box, reach).IsOut(point)) continue;
     const EdgeFoot foot = foot_on(met.of, point);
-    if (foot.distance <= reach) met.stops.push_back({foot.parameter, reach});
+    if (foot.distance <= reach) met.stops.push_back({foot.parameter, reach, true, vertex});
   }
 }
 
@@ -290,29 +308,38 @@ std::optional<WireSide> EdgeDivider::side_in_solids(const Vec3& point) {
   return told ? std::optional(WireSide::Outside) : std::nullopt;
 }
 
-std::optional<WireSide> EdgeDivider::side_of(const EdgeMeetings& met, const Interval& piece) {
+// The edge or face that a piece lies on; null if there is none.
+TopoDS_Shape EdgeDivider::below(const EdgeMeetings& met, const Interval& piece) {
   const double middle = at(piece, 0.5);
-  const auto holds = [middle](const Interval& run) {
-    return run.from <= middle && middle <= run.to;
-  };
-  if (std::ranges::any_of(met.along_edges, holds)) return WireSide::On;
+  for (const EdgeMeetings::Along& along : met.along_edges)
+    if (along.range.from <= middle && middle <= along.range.to) return along.edge;
   for (const EdgeMeetings::Run& run : met.in_surfaces)
     if (std::ranges::all_of(kAskedAt, [&](double part) {
           return lies_on(run.face, vec(met.of.curve->Value(at(piece, part))), run.reach);
         }))
-      return WireSide::On;
+      return shape_->faces[run.face].shape;
+  return {};
+}
+
+std::optional<WireSide> EdgeDivider::side_of(const EdgeMeetings& met, const Interval& piece) {
+  if (!below(met, piece).IsNull()) return WireSide::On;
   for (const double part : kAskedAt)
     if (const auto side = side_in_solids(vec(met.of.curve->Value(at(piece, part))))) return side;
   return {};
 }
 
-DividedEdge EdgeDivider::divide(const TopoDS_Edge& edge) {
+EdgeMeetings EdgeDivider::meetings_of(const TopoDS_Edge& edge) {
   EdgeMeetings met(edge);
   if (limit_.is_reached()) met.stop();
   meet_faces(edge, met);
   meet_edges(edge, met);
   if (!met.open) meet_vertices(met);
   met.tell_reach(tolerance_);
+  return met;
+}
+
+DividedEdge EdgeDivider::divide(const TopoDS_Edge& edge) {
+  const EdgeMeetings met = meetings_of(edge);
   DividedEdge divided{met.status, {}, {}, met.reasons};
   if (met.open) {
     divided.obstacle = "it is not known where an edge meets the other shape";
@@ -326,6 +353,27 @@ DividedEdge EdgeDivider::divide(const TopoDS_Edge& edge) {
     add_piece({range, side.value_or(WireSide::Outside)}, stops[i].sure, divided.pieces);
   }
   return divided;
+}
+
+MetEdge EdgeDivider::meet(const TopoDS_Edge& edge) {
+  const EdgeMeetings met = meetings_of(edge);
+  MetEdge made{met.status, {}, {}, met.reasons};
+  const std::vector<EdgeStop> stops = distinct_stops(met.stops, met.of);
+  bool lies = false;  // whether the piece before a stop does
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    TopoDS_Shape on;
+    if (i + 1 < stops.size()) on = below(met, {stops[i].parameter, stops[i + 1].parameter});
+    const bool parts = lies || !on.IsNull();
+    if (!parts && !stops[i].on.IsNull()) made.points.push_back({stops[i].parameter, stops[i].on});
+    if (!on.IsNull()) {
+      if (lies && made.stretches.back().on.IsSame(on))
+        made.stretches.back().range.to = stops[i + 1].parameter;
+      else
+        made.stretches.push_back({{stops[i].parameter, stops[i + 1].parameter}, on});
+    }
+    lies = !on.IsNull();
+  }
+  return made;
 }
 
 std::optional<WireSide> EdgeDivider::side_of(const TopoDS_Vertex& vertex) {

@@ -39,6 +39,26 @@ struct DividedEdge {
   std::vector<std::string> reasons;  ///< why the status is not complete
 };
 
+/// A common point at which no common stretch begins or ends.
+struct MetPoint {
+  double parameter = 0;
+  TopoDS_Shape on;  ///< vertex, edge or face: of several that of least dimension
+};
+
+/// A piece that lies on the shape.
+struct MetStretch {
+  Interval range;
+  TopoDS_Shape on;  ///< an edge or a face
+};
+
+/// What an edge and the shape have in common.
+struct MetEdge {
+  Status status = Status::Complete;
+  std::vector<MetPoint> points;       ///< by increasing parameter
+  std::vector<MetStretch> stretches;  ///< likewise
+  std::vector<std::string> reasons;
+};
+
 struct EdgeMeetings;
 struct EdgeObstacles;
 struct ObstacleChart;
@@ -63,13 +83,18 @@ class EdgeDivider {
   /// Once a limit is reached the status is Stopped, and there are no pieces.
   DividedEdge divide(const TopoDS_Edge& edge);
 
+  /// Likewise its points and stretches in common with the shape, whose inside does not count.
+  MetEdge meet(const TopoDS_Edge& edge);
+
   /// Nothing if rays do not tell.
   std::optional<WireSide> side_of(const TopoDS_Vertex& vertex);
 
  private:
+  EdgeMeetings meetings_of(const TopoDS_Edge& edge);
   void meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met);
   void meet_edges(const TopoDS_Edge& edge, EdgeMeetings& met);
   void meet_vertices(EdgeMeetings& met) const;
+  TopoDS_Shape below(const EdgeMeetings& met, const Interval& piece);
   std::optional<WireSide> side_of(const EdgeMeetings& met, const Interval& piece);
   const ObstacleChart& chart_of(std::size_t face);
   bool lies_on(std::size_t face, const Vec3& point, double reach);
