@@ -5,12 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/border_numbers.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
 #include "plugin/python/json.h"
+#include "plugin/reports/cuts/edge_findings.h"
 #include "plugin/reports/cuts/intersection.h"
 
 namespace py = pybind11;
@@ -24,6 +26,8 @@ struct Found {
   bool itself = false;  // a model's faces with each other
   occt::ShapeIntersection intersection;
   double seconds = 0;
+  reports::EdgeFindings edges{};
+  reports::EdgeMeetingLists edge_meetings{};
   mutable std::optional<occt::JoinedIntersection> joined{};  // made when it is first asked for
 };
 using SharedFound = std::shared_ptr<const Found>;
@@ -105,6 +109,34 @@ class Numbers {
   std::optional<occt::BorderNumbers> known_;
 };
 
+py::dict edge_record(const reports::EdgeMeeting& each) {
+  const auto on = [](const reports::Json& place) {
+    return py::make_tuple(place["kind"].get<std::string>(), place["number"].get<int>());
+  };
+  return py::dict("on_a"_a = on(each.on_a), "on_b"_a = on(each.on_b));
+}
+
+// What edges have in common with the other shape.
+void add_edge_records(const reports::EdgeMeetingLists& lists, py::dict& records) {
+  py::list points, stretches;
+  for (const reports::EdgeMeeting& each : lists.points) {
+    py::dict record = edge_record(each);
+    record["point"] = point_array(each.point);
+    record["parameter"] = each.range.from;
+    points.append(record);
+  }
+  for (const reports::EdgeMeeting& each : lists.stretches) {
+    py::dict record = edge_record(each);
+    record["start"] = point_array(each.point);
+    record["end"] = point_array(each.end);
+    record["length"] = each.length;
+    record["parameters"] = py::make_tuple(each.range.from, each.range.to);
+    stretches.append(record);
+  }
+  records["edge_points"] = points;
+  records["edge_stretches"] = stretches;
+}
+
 py::dict records_of(const Found& found) {
   py::list curves, chains, points, nodes, overlaps, places;
   Numbers numbers_a(*found.a), numbers_b(*found.b);
@@ -126,16 +158,20 @@ py::dict records_of(const Found& found) {
       overlaps.append(overlap_record(overlap, faces));
     for (const Place& place : pair.found.places) places.append(place_record(place, faces));
   }
-  return py::dict("curves"_a = curves, "chains"_a = chains, "points"_a = points, "nodes"_a = nodes,
-                  "overlaps"_a = overlaps, "places"_a = places,
-                  "certificate"_a = to_python(reports::to_json(found.intersection.certificate)));
+  py::dict records("curves"_a = curves, "chains"_a = chains, "points"_a = points, "nodes"_a = nodes,
+                   "overlaps"_a = overlaps, "places"_a = places,
+                   "certificate"_a = to_python(reports::to_json(found.intersection.certificate)));
+  add_edge_records(found.edge_meetings, records);
+  return records;
 }
 
 // In the turns of both models.
 const occt::JoinedIntersection& joined_of(const Found& found) {
-  if (!found.joined)
+  if (!found.joined) {
     found.joined = occt::joined_intersection(found.intersection, found.a->input().faces,
                                              found.b->input().faces);
+    reports::add_edges(found.edges, *found.joined);
+  }
   return *found.joined;
 }
 
@@ -144,7 +180,7 @@ reports::Json report_of(const Found& found) {
   const BothTurns turns(*found.a, *found.b, watch);
   const reports::RunTimes times{found.seconds, found.seconds};
   const reports::IntersectionFindings findings{found.a->input(), found.b->input(),
-                                               found.intersection, joined_of(found)};
+                                               found.intersection, joined_of(found), found.edges};
   return found.itself ? reports::self_intersection_report(findings, times)
                       : reports::intersection_report(findings, times);
 }
@@ -174,9 +210,17 @@ SharedFound found_by(const SharedModel& a, const SharedModel& b, bool itself, co
                      const Work& work) {
   auto found = std::make_shared<Found>(Found{a, b, itself, {}, 0});
   const double start = watch.seconds();
-  found->intersection = work();
+  work(*found);
   found->seconds = watch.seconds() - start;
   return found;
+}
+
+// Faces as they are, or edges.
+const reports::Input& intersected(LoadedModel& model, const Watch& watch) {
+  const reports::Input& input = model.repaired_input(watch, reports::LooseFaces::Kept);
+  if (input.faces.empty() && reports::edges_to_intersect(input).empty())
+    throw occt::BadModel(model.name() + ": there is no face and no edge in it");
+  return input;
 }
 
 }  // namespace
@@ -184,10 +228,14 @@ SharedFound found_by(const SharedModel& a, const SharedModel& b, bool itself, co
 Answer intersect(const SharedModel& a, const SharedModel& b, const Control& control) {
   return answer_of(interruptible(control, [&](const Watch& watch) {
     const BothTurns turns(*a, *b, watch);
-    const std::vector<TopoDS_Face>& faces_a = a->faces(watch, reports::LooseFaces::Kept);
-    const std::vector<TopoDS_Face>& faces_b = b->faces(watch, reports::LooseFaces::Kept);
-    return found_by(a, b, false, watch,
-                    [&] { return occt::intersect(faces_a, faces_b, watch.engine()); });
+    const reports::Input& in_a = intersected(*a, watch);
+    const reports::Input& in_b = intersected(*b, watch);
+    return found_by(a, b, false, watch, [&](Found& found) {
+      found.intersection = occt::intersect(in_a.faces, in_b.faces, watch.engine());
+      found.edges = reports::edge_findings(in_a, in_b, watch.engine());
+      reports::add_status(found.edges, found.intersection);
+      found.edge_meetings = reports::meetings_of(found.edges, in_a, in_b);
+    });
   }));
 }
 
@@ -196,8 +244,9 @@ Answer self_intersect(const SharedModel& model, bool all_faces, const Control& c
   return answer_of(interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
     const std::vector<TopoDS_Face>& faces = model->faces(watch);
-    return found_by(model, model, true, watch,
-                    [&] { return occt::self_intersect(faces, scope, watch.engine()); });
+    return found_by(model, model, true, watch, [&](Found& found) {
+      found.intersection = occt::self_intersect(faces, scope, watch.engine());
+    });
   }));
 }
 

@@ -18,8 +18,9 @@ namespace {
 
 [[noreturn]] void refuse_without_faces(const std::string& name, const TopoDS_Shape& shape) {
   const bool has_edges = !shape.IsNull() && TopExp_Explorer(shape, TopAbs_EDGE).More();
-  throw occt::BadModel(name + ": there is no face in it" +
-                       (has_edges ? "; solid() and distance() take edges and wires" : ""));
+  throw occt::BadModel(
+      name + ": there is no face in it" +
+      (has_edges ? "; intersect(), section(), solid() and distance() take edges and wires" : ""));
 }
 
 constexpr std::chrono::milliseconds kPause{20};  // between questions whether to wait any longer

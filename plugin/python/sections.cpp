@@ -14,6 +14,7 @@
 #include "plugin/drawings/section_drawing.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
+#include "plugin/reports/models/edges.h"
 #include "plugin/reports/queries/plane_cuts.h"
 #include "plugin/reports/queries/section.h"
 
@@ -36,6 +37,14 @@ void add_splines(const occt::PlaneSection& section, py::list& splines) {
     splines.append(spline_record(spline_of(curve)));
 }
 
+// Faces, or edges without any.
+const reports::Input& sectioned(LoadedModel& model, const Watch& watch) {
+  const reports::Input& input = model.repaired_input(watch);
+  if (input.faces.empty() && reports::edges_without_faces(input).empty())
+    throw occt::BadModel(model.name() + ": there is no face and no edge in it");
+  return input;
+}
+
 struct Cut {
   SharedModel model;
   occt::Plane plane;
@@ -53,8 +62,7 @@ struct Cuts {
 reports::SectionsAnswer cut_parts(LoadedModel& model,
                                   const std::vector<reports::NamedPlane>& planes, double tolerance,
                                   const Watch& watch) {
-  model.faces(watch);
-  const reports::Input& input = model.repaired_input(watch);
+  const reports::Input& input = sectioned(model, watch);
   return reports::sections_of(input, planes,
                               {tolerance, [&] { return watch.engine(); }, [&] { watch.stop(); }});
 }
@@ -86,9 +94,10 @@ Answer section(const SharedModel& model, const Vec3& point, const Vec3& normal,
       Cut{model, plane_of(point, normal), control.engine.tolerances.point, {}, 0});
   interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
-    const std::vector<TopoDS_Face>& faces = model->faces(watch);
+    const reports::Input& input = sectioned(*model, watch);
     const double start = watch.seconds();
-    cut->section = occt::plane_section(faces, cut->plane, watch.engine());
+    cut->section = occt::plane_section(input.faces, cut->plane, watch.engine(),
+                                       reports::edges_without_faces(input));
     cut->seconds = watch.seconds() - start;
   });
   return {.report =

@@ -71,7 +71,8 @@ std::shared_ptr<occt::Model> model_of(const std::filesystem::path& file) {
 }
 
 constexpr const char* kTakesEdges =
-    "; 'blossom trim --solid', 'blossom query distance' and 'query plane' take edges and wires";
+    "; 'blossom intersect', 'trim --solid', 'query distance' and 'query plane' take edges and "
+    "wires";
 
 // Each once, in increasing order.
 std::vector<int> chosen_numbers(const InputName& name, const TopoDS_Shape& all, int count,

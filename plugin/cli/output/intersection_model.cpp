@@ -82,17 +82,20 @@ std::string face_name(const Input& input, int index) {
   return file + "#" + std::to_string(input.numbers[static_cast<std::size_t>(index)]);
 }
 
+std::string file_names(const Input& a, const Input& b) {
+  return a.model.file().filename().string() + " x " + b.model.file().filename().string();
+}
+
 }  // namespace
 
 occt::Model joined_model(const Input& a, const Input& b, const occt::JoinedIntersection& joined) {
   occt::Model model;
-  model.add(joined.wires,
-            a.model.file().filename().string() + " x " + b.model.file().filename().string(),
-            kEdgeColour);
+  model.add(joined.wires, file_names(a, b), kEdgeColour);
   return model;
 }
 
-occt::Model paired_model(const Input& a, const Input& b, const occt::ShapeIntersection& found) {
+occt::Model paired_model(const Input& a, const Input& b, const occt::ShapeIntersection& found,
+                         const reports::EdgeFindings& edges) {
   return occt::guarded("building edges", [&] {
     occt::Model model;
     for (const occt::FaceIntersection& pair : found.pairs) {
@@ -104,6 +107,10 @@ occt::Model paired_model(const Input& a, const Input& b, const occt::ShapeInters
       model.add(builder.whole(), face_name(a, pair.face_a) + " x " + face_name(b, pair.face_b),
                 kEdgeColour);
     }
+    if (edges.points() + edges.stretches() == 0) return model;
+    occt::JoinedIntersection joined;
+    reports::add_edges(edges, joined);
+    model.add(joined.wires, file_names(a, b), kEdgeColour);
     return model;
   });
 }

@@ -97,10 +97,16 @@ std::vector<PictureMesh> picture_meshes(const std::vector<TopoDS_Face>& faces, d
 }
 
 std::vector<Vec3> edge_points(const TopoDS_Edge& edge) {
-  double from = 0, to = 0;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, from, to);
+  Interval range;
+  if (BRep_Tool::Curve(edge, range.from, range.to).IsNull()) return {};
+  return edge_points(edge, range);
+}
+
+std::vector<Vec3> edge_points(const TopoDS_Edge& edge, const Interval& part) {
+  const auto& [from, to] = part;
+  double first = 0, last = 0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
   std::vector<Vec3> points;
-  if (curve.IsNull()) return points;
   const int steps = Handle(Geom_Line)::DownCast(curve).IsNull() ? kEdgeSteps : 1;
   for (int i = 0; i <= steps; ++i)
     points.push_back(occt::vec(curve->Value(from + (to - from) * i / steps).XYZ()));

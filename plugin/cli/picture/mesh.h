@@ -10,6 +10,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "core/math/interval.h"
 #include "core/math/vec.h"
 
 namespace blossom::cli {
@@ -33,6 +34,9 @@ std::vector<PictureMesh> picture_meshes(const std::vector<TopoDS_Face>& faces, d
 
 /// Points of an edge, two if it is straight; none if it has no curve in space.
 std::vector<Vec3> edge_points(const TopoDS_Edge& edge);
+
+/// Likewise of a part of one that has such a curve.
+std::vector<Vec3> edge_points(const TopoDS_Edge& edge, const Interval& part);
 
 /// Diagonal of the box of the faces, model units.
 double size_of(const std::vector<TopoDS_Face>& faces);

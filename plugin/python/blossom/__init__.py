@@ -47,6 +47,8 @@ from ._intersections import (
     Chain,
     Contact,
     Curve,
+    EdgePoint,
+    EdgeStretch,
     Intersection,
     Overlap,
     Place,
@@ -92,6 +94,8 @@ __all__ = [
     "Curve",
     "Distance",
     "EdgeBlend",
+    "EdgePoint",
+    "EdgeStretch",
     "Error",
     "Fill",
     "Fillet",
@@ -266,7 +270,8 @@ def check(shape: Any, **options: Any) -> Check:
 
 
 def intersect(a: Any, b: Any, **options: Any) -> Intersection:
-    """All intersections of every face of `a` with every face of `b`.
+    """All intersections of every face of `a` with every face of `b`, or of the edges of a shape
+    without faces, as blossom.read("wire.step") or block.part("edge:3").
 
     An empty answer whose status is "complete" is a proof of emptiness.
     """

@@ -73,6 +73,29 @@ class Place(Record):
     face_b: int
 
 
+@dataclass(eq=False, repr=False)
+class EdgePoint(Record):
+    """A point that an edge, which is a shape by itself, has in common with the other shape.
+    `on_a`, `on_b`: the edge and what it meets, as ("face", 3). `parameter`: of the edge."""
+
+    point: Array
+    on_a: Tuple[str, int]
+    on_b: Tuple[str, int]
+    parameter: float
+
+
+@dataclass(eq=False, repr=False)
+class EdgeStretch(Record):
+    """A stretch of such an edge that lies on the other shape."""
+
+    start: Array
+    end: Array
+    length: float
+    on_a: Tuple[str, int]
+    on_b: Tuple[str, int]
+    parameters: Tuple[float, float]
+
+
 class Intersection(Result):
     """All intersections of two models; a list of curves."""
 
@@ -112,6 +135,16 @@ class Intersection(Result):
         return self._parts("overlaps", Overlap)
 
     @property
+    def edge_points(self) -> List[EdgePoint]:
+        """Points in which edges without faces meet the other shape."""
+        return self._parts("edge_points", EdgePoint)
+
+    @property
+    def edge_stretches(self) -> List[EdgeStretch]:
+        """What of such edges lies on the other shape."""
+        return self._parts("edge_stretches", EdgeStretch)
+
+    @property
     def places(self) -> List[Place]:
         """What is within tolerance, or stayed open."""
         return self._parts("places", Place)
@@ -143,7 +176,8 @@ class Intersection(Result):
     def _summary(self) -> str:
         return (
             f"{self.status}, {counted(len(self.chains), 'curve')}, "
-            f"{counted(len(self.points), 'point')}, {counted(len(self.places), 'place')}"
+            f"{counted(len(self.points) + len(self.edge_points), 'point')}, "
+            f"{counted(len(self.places), 'place')}"
         )
 
 

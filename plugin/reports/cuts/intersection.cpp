@@ -119,7 +119,7 @@ void add_times(const occt::ShapeIntersection& found, const RunTimes& times, Json
 }
 
 void add_findings(const IntersectionFindings& findings, Json& report) {
-  const auto& [a, b, found, whole] = findings;
+  const auto& [a, b, found, whole, edges] = findings;
   for (const char* list : {"curves", "points", "nodes", "overlaps", "places"})
     report[list] = Json::array();
   const ShapeNumbers numbers_a(a.shape), numbers_b(b.shape);
@@ -264,10 +264,11 @@ Json to_json(const std::optional<Conic>& conic, const Interval& range) {
 }
 
 Json intersection_report(const IntersectionFindings& findings, const RunTimes& times) {
-  const auto& [a, b, found, joined] = findings;
+  const auto& [a, b, found, joined, edges] = findings;
   Json report = {{"schema", "blossom.intersection/1"}, {"a", a.name}, {"b", b.name}};
   add_times(found, times, report);
   add_findings(findings, report);
+  add_edge_findings(edges, a, b, report);
   report["parts_a"] = parts_json(a, found, &occt::FaceIntersection::face_a);
   report["parts_b"] = parts_json(b, found, &occt::FaceIntersection::face_b);
   report["repairs"] = Json::array({repairs_json(a), repairs_json(b)});

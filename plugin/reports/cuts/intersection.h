@@ -12,6 +12,7 @@
 
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
+#include "plugin/reports/cuts/edge_findings.h"
 #include "plugin/reports/models/input.h"
 #include "plugin/reports/text/json.h"
 
@@ -66,6 +67,7 @@ struct IntersectionFindings {
   const Input& b;
   const occt::ShapeIntersection& found;
   const occt::JoinedIntersection& joined;
+  const EdgeFindings& edges;  ///< none between the faces of one
 };
 
 /// The whole object, schema "blossom.intersection/1".

@@ -4,6 +4,8 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
+#include "adapters/occt/intersection_edges.h"
+
 namespace blossom::reports {
 
 std::set<int> edge_numbers(const Input& input) {
@@ -14,6 +16,14 @@ std::set<int> edge_numbers(const Input& input) {
   for (int i = 1; i <= own.Extent(); ++i)
     if (const int number = all.FindIndex(own(i)); number > 0) numbers.insert(number);
   return numbers;
+}
+
+std::vector<TopoDS_Edge> edges_without_faces(const Input& input) {
+  const bool all = static_cast<int>(input.numbers.size()) == input.model.face_count();
+  const TopoDS_Shape shape = !input.selected.IsNull() ? input.selected
+                             : all                    ? input.shape
+                                                      : TopoDS_Shape();
+  return occt::loose_edges_of(shape);
 }
 
 Json edges_json(const std::vector<occt::EdgeFacts>& edges) {

@@ -6,6 +6,8 @@
 #include <set>
 #include <vector>
 
+#include <TopoDS_Edge.hxx>
+
 #include "adapters/occt/edge_facts.h"
 #include "plugin/reports/models/input.h"
 #include "plugin/reports/text/json.h"
@@ -14,6 +16,9 @@ namespace blossom::reports {
 
 /// The numbers of the edges that an input means: those of its faces, and those that are named.
 std::set<int> edge_numbers(const Input& input);
+
+/// The edges of an input that none of its faces has: of the whole model, or those that are named.
+std::vector<TopoDS_Edge> edges_without_faces(const Input& input);
 
 /// Number, faces, kind, angle, length and middle point of each.
 Json edges_json(const std::vector<occt::EdgeFacts>& edges);

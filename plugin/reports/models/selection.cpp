@@ -208,7 +208,7 @@ class Selecting {
 };
 
 // The edges that an input names and that go with the faces that it does not name.
-std::vector<TopoDS_Shape> edges_without_faces(const Input& input) {
+std::vector<TopoDS_Shape> edges_named_alone(const Input& input) {
   TopTools_IndexedMapOfShape edges, kept, all;
   TopExp::MapShapes(input.model.shape(), TopAbs_EDGE, edges);
   for (int number = 1; number <= input.model.face_count(); ++number)
@@ -273,7 +273,7 @@ occt::Model alone(const Input& input) {
   for (const int number : input.numbers) others.erase(number);
   occt::Model model = input.model.copy();
   if (!others.empty()) model.replace_faces(others);
-  if (const std::vector<TopoDS_Shape> edges = edges_without_faces(input); !edges.empty())
+  if (const std::vector<TopoDS_Shape> edges = edges_named_alone(input); !edges.empty())
     model.add(occt::compound_of(edges), "edges");
   return model;
 }

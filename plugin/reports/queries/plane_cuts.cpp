@@ -5,11 +5,7 @@
 #include <string>
 #include <utility>
 
-#include <BRep_Tool.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
-
+#include "plugin/reports/models/edges.h"
 #include "plugin/reports/models/parts.h"
 
 namespace blossom::reports {
@@ -55,23 +51,6 @@ SectionsOfPlane sections_with(const NamedPlane& plane, std::vector<ReadyPart>& p
 }
 
 }  // namespace
-
-std::vector<TopoDS_Edge> edges_without_faces(const Input& input) {
-  const bool all = static_cast<int>(input.numbers.size()) == input.model.face_count();
-  const TopoDS_Shape shape = !input.selected.IsNull() ? input.selected
-                             : all                    ? input.shape
-                                                      : TopoDS_Shape();
-  std::vector<TopoDS_Edge> edges;
-  if (shape.IsNull()) return edges;
-  TopTools_IndexedMapOfShape known;
-  for (TopExp_Explorer it(shape, TopAbs_EDGE, TopAbs_FACE); it.More(); it.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-    if (known.Contains(edge) || BRep_Tool::Degenerated(edge)) continue;
-    known.Add(edge);
-    edges.push_back(edge);
-  }
-  return edges;
-}
 
 SectionsAnswer sections_of(const Input& input, const std::vector<NamedPlane>& planes,
                            const CutControl& control) {

@@ -6,8 +6,6 @@
 #include <functional>
 #include <vector>
 
-#include <TopoDS_Edge.hxx>
-
 #include "adapters/occt/shapes.h"
 #include "core/results/options.h"
 #include "plugin/reports/models/input.h"
@@ -21,9 +19,6 @@ struct CutControl {
   std::function<IntersectionOptions()> engine;  ///< options with what is left of the limits
   std::function<void()> stop;                   ///< ends the work by an exception
 };
-
-/// The edges of an input that none of its faces has: of the whole model, or those that are named.
-std::vector<TopoDS_Edge> edges_without_faces(const Input& input);
 
 /// The parts that each plane meets, their closed wires turned as `orient_wires` does.
 /// throws   BadModel if a face cannot be used, and what `stop` throws

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -109,6 +110,19 @@ TEST_F(SelfIntersectCommand, WithFacesComparesDifferentOnesToo) {
   EXPECT_EQ(report["curves"][0]["face_a"], 1);
   EXPECT_EQ(report["curves"][0]["face_b"], 2);
   EXPECT_NEAR(report["curves"][0]["length"], std::numbers::pi, 1e-6);
+}
+
+TEST_F(SelfIntersectCommand, SaysWhereOnlyDifferentPartsMeet) {
+  occt::quiet_messages();
+  occt::Model model;
+  model.add(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 4, 4, 4).Shape(), "Low");
+  model.add(BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 4), 4, 4, 4).Shape(), "High");
+  occt::write_model(model, folder / "stack.step");
+
+  const Finished stack = blossom({"self-intersect", folder / "stack.step", "--faces"});
+  const std::string said = "no part meets itself";
+  EXPECT_NE(stack.out.find(said), std::string::npos) << stack.out;
+  EXPECT_EQ(self_intersect(face_of(0, 1, 0, 1), {}).out.find(said), std::string::npos);
 }
 
 TEST_F(SelfIntersectCommand, FindsNothingOnASphere) {

@@ -189,8 +189,8 @@ class Arguments(unittest.TestCase):
         brep = blossom.intersect(FLOOR, WALL).to_brep()
         self.assertIsInstance(brep, bytes)
         self.assertIn(b"CASCADE Topology V", brep)
-        with self.assertRaisesRegex(ValueError, r"^a: there is no face in it; solid\(\) and distance\(\) take edges"):
-            blossom.intersect(brep, WALL)
+        with self.assertRaisesRegex(ValueError, r"there is no face in it; intersect\(\), section\(\), solid\(\) and"):
+            blossom.shape(brep).ray((0, 0, 0), (1, 0, 0))
 
     def test_a_line_is_cut_by_faces(self):
         line = blossom.curve([(0, 1, 1), (4, 1, 1)])
@@ -299,6 +299,52 @@ class Errors(unittest.TestCase):
     def test_a_missing_part_is_told(self):
         with self.assertRaisesRegex(blossom.Error, "^to_part: FreeCAD's Part cannot be imported"):
             blossom.intersect(FLOOR, WALL).to_part()
+
+
+@unittest.skipIf(Part is None, "FreeCAD's Part cannot be imported")
+class Edges(unittest.TestCase):
+    """A line through the box [0, 4]^3, and one along its top."""
+
+    def setUp(self):
+        self.box = Part.makeBox(4, 4, 4)
+        self.line = Part.makeLine((1, 2, -3), (1, 2, 7))
+
+    def test_an_edge_meets_faces_in_points(self):
+        found = blossom.intersect(self.line, self.box)
+
+        self.assertEqual(found.status, "complete")
+        points, parameters = zip(*((p.point, p.parameter) for p in found.edge_points))
+        np.testing.assert_allclose(points, [(1, 2, 0), (1, 2, 4)], atol=1e-12)
+        np.testing.assert_allclose(parameters, [3, 7])
+        self.assertEqual(found.edge_points[0].on_a, ("edge", 1))
+        self.assertEqual(found.edge_points[0].on_b[0], "face")
+        self.assertEqual(found.to_part().ShapeType, "Compound")
+        self.assertEqual(len(found.to_part().Vertexes), 2)
+        self.assertIn("2 points", repr(found))
+
+    def test_what_lies_on_a_face_is_a_stretch(self):
+        found = blossom.intersect(self.box, Part.makeLine((-1, 2, 4), (9, 2, 4)))
+
+        self.assertEqual(found.edge_points, [])
+        (stretch,) = found.edge_stretches
+        self.assertAlmostEqual(stretch.length, 4)
+        np.testing.assert_allclose((stretch.start, stretch.end), [(0, 2, 4), (4, 2, 4)], atol=1e-9)
+        self.assertEqual(len(found.to_part().Edges), 1)
+
+    def test_edges_of_a_model_are_named(self):
+        block = blossom.shape(self.box)
+        edge = block.part("edge:1")
+
+        self.assertEqual(blossom.intersect(edge, self.line).edge_points, [])
+        self.assertEqual(len(blossom.intersect(edge, edge).edge_stretches), 1)
+
+    def test_a_plane_cuts_an_edge_in_a_point(self):
+        cut = blossom.section(self.line, (0, 0, 1), (0, 0, 1))
+
+        self.assertEqual(cut.status, "complete")
+        np.testing.assert_allclose(cut.points, [(1, 2, 1)], atol=1e-9)
+        (plane,) = blossom.shape(self.line).sections(offsets=(1,))
+        self.assertEqual([part.part for part in plane.parts], ["edges"])
 
 
 class LongWork(unittest.TestCase):

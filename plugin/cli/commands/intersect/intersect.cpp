@@ -5,6 +5,7 @@
 #include <string>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/intersection.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/arguments/inputs.h"
@@ -12,7 +13,10 @@
 #include "plugin/cli/commands/intersect/intersection_parts.h"
 #include "plugin/cli/commands/meshes/mesh_meetings.h"
 #include "plugin/cli/commands/meshes/meshed_input.h"
+#include "plugin/cli/output/output.h"
+#include "plugin/cli/output/verbosity.h"
 #include "plugin/cli/process/interruption.h"
+#include "plugin/reports/cuts/edge_findings.h"
 
 namespace blossom::cli {
 namespace {
@@ -24,12 +28,28 @@ struct IntersectCommand {
 };
 
 // What cannot be used is told by file and face where an open wire is the cause.
-occt::ShapeIntersection intersect_named(const Input& a, const Input& b,
-                                        const IntersectionOptions& engine) try {
-  return occt::intersect(a.faces, b.faces, engine);
+FoundIntersection intersect_named(const Input& a, const Input& b,
+                                  const IntersectionOptions& engine) try {
+  const occt::SharedLimit limit(engine);
+  FoundIntersection found{occt::intersect(a.faces, b.faces, engine)};
+  found.edges = reports::edge_findings(a, b, limit.remaining_alone());
+  reports::add_status(found.edges, found.faces);
+  return found;
 } catch (const occt::BadModel&) {
   for (const Input* input : {&a, &b}) refuse_open_wires(*input);
   throw;
+}
+
+// Edges that are not named are what a drawing of the faces has beside them.
+Input input_to_intersect(const std::string& name) {
+  Input input =
+      read_usable_input(name, Faces::Optional, reports::Repairing::Used, reports::LooseFaces::Kept);
+  if (input.faces.empty() && reports::edges_to_intersect(input).empty())
+    throw occt::BadModel(input.name + ": there is no face and no edge in it");
+  if (const std::size_t others = reports::edges_left_out(input); others > 0)
+    note(input.name + ": " + counted(others, "edge") +
+         " without faces left out; those that are named, as edge:1, are looked at");
+  return input;
 }
 
 int run(const IntersectCommand& options) {
@@ -37,10 +57,8 @@ int run(const IntersectCommand& options) {
     return run_mesh_intersection(options.a, options.b, options.intersect.common);
   check_files(options.intersect.common, {options.a, options.b});
   start_threads(options.intersect.engine.threads);
-  const Input a = read_usable_input(options.a, Faces::Required, reports::Repairing::Used,
-                                    reports::LooseFaces::Kept);
-  const Input b = read_usable_input(options.b, Faces::Required, reports::Repairing::Used,
-                                    reports::LooseFaces::Kept);
+  const Input a = input_to_intersect(options.a);
+  const Input b = input_to_intersect(options.b);
   stop_if_interrupted();
   const TimedIntersection result = timed_intersection(
       options.intersect,
@@ -54,7 +72,7 @@ void add_intersect(CLI::App& app, int& exit_code) {
   CLI::App* const command =
       app.add_subcommand("intersect", "all intersections of two models or meshes");
   const auto options = std::make_shared<IntersectCommand>();
-  command->add_option("a", options->a, "model, some of its faces, or triangles")
+  command->add_option("a", options->a, "model, some of its faces or edges, or triangles")
       ->required()
       ->type_name("A");
   command->add_option("b", options->b, "likewise")->required()->type_name("B");

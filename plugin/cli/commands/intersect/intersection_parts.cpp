@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <TopExp_Explorer.hxx>
@@ -66,14 +67,16 @@ void log_pairs(const occt::ShapeIntersection& found) {
 
 TimedIntersection timed_intersection(
     const IntersectOptions& options,
-    const std::function<occt::ShapeIntersection(const IntersectionOptions&)>& intersect) {
+    const std::function<FoundIntersection(const IntersectionOptions&)>& intersect) {
   Progress progress("intersecting");
   const IntersectionOptions engine = intersection_options(options.engine, progress);
   TimedIntersection result;
   std::vector<double> seconds;
   for (int i = 0; i < options.repeat; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    result.found = intersect(engine);
+    FoundIntersection once = intersect(engine);
+    result.found = std::move(once.faces);
+    result.edges = std::move(once.edges);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     stop_if_interrupted();
     seconds.push_back(took.count());
@@ -87,21 +90,22 @@ int write_outputs(const Input& a, const Input& b, const std::string& title,
                   const TimedIntersection& result, const IntersectOptions& given) {
   const CommonOptions& options = given.common;
   // All that may fail or be interrupted comes before the first file is written.
-  const IntersectionCounts counts = counts_of(a, result.found);
+  const IntersectionCounts counts = counts_of(a, result.found, result.edges);
   occt::JoinedIntersection joined;
   if (given.joined || !options.json.empty() || tells_joined(counts))
     joined =
         occt::joined_intersection(result.found, a.faces, b.faces, [] { return interrupted(); });
-  const reports::IntersectionFindings findings{a, b, result.found, joined};
+  reports::add_edges(result.edges, joined);
+  const reports::IntersectionFindings findings{a, b, result.found, joined, result.edges};
   std::optional<occt::Model> model;
   if (!options.output.empty() && given.joined)
     model = joined_model(a, b, joined);
   else if (!options.output.empty() && counts.has_shape())
-    model = paired_model(a, b, result.found);
+    model = paired_model(a, b, result.found, result.edges);
   if (model && !TopExp_Explorer(model->shape(), TopAbs_VERTEX).More()) model.reset();
   const bool unwritten = !options.output.empty() && !model;
   const std::vector<PictureFile> pictures =
-      picture_files(options, [&] { return intersection_picture(a, b, result.found); });
+      picture_files(options, [&] { return intersection_picture(findings); });
   stop_if_interrupted();
 
   if (model) write_model(*model, options.output);

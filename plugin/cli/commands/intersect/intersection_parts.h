@@ -25,14 +25,21 @@ void add_intersect_options(CLI::App& command, IntersectOptions& options);
 
 struct TimedIntersection {
   occt::ShapeIntersection found;
+  reports::EdgeFindings edges;
   reports::RunTimes times;
+};
+
+/// What one run finds.
+struct FoundIntersection {
+  occt::ShapeIntersection faces;
+  reports::EdgeFindings edges{};
 };
 
 /// Does it as often as the options say.
 /// throws   Interrupted
 TimedIntersection timed_intersection(
     const IntersectOptions& options,
-    const std::function<occt::ShapeIntersection(const IntersectionOptions&)>& intersect);
+    const std::function<FoundIntersection(const IntersectionOptions&)>& intersect);
 
 /// Writes edges, picture, report and summary, as far as they are wanted; returns the exit code.
 /// a, b      one object for an input with itself

@@ -20,6 +20,8 @@ constexpr double kHatchSpacing = 1.0 / 90;  // of the size of both inputs
 struct IntersectionLayers {
   PictureLayer overlaps{"overlapping", kOverlapColour, LayerStyle::Hatch};
   PictureLayer borders{"", kOverlapColour, LayerStyle::Net};
+  PictureLayer edges{"edge", kNetColour, LayerStyle::Curve};
+  PictureLayer overlapping_edges{"common stretch", kOverlapColour, LayerStyle::Curve};
   PictureLayer crossing{"crossing", kCurveColour, LayerStyle::Curve};
   PictureLayer touching{"touching", kTouchColour, LayerStyle::Curve};
   PictureLayer points{"point", kCurveColour, LayerStyle::Dot};
@@ -27,7 +29,8 @@ struct IntersectionLayers {
   PictureLayer unresolved{"unresolved", kUnresolvedColour, LayerStyle::Square};
 
   std::vector<PictureLayer> all() const {
-    return {overlaps, borders, crossing, touching, points, contacts, unresolved};
+    return {overlaps, borders, edges,    overlapping_edges, crossing,
+            touching, points,  contacts, unresolved};
   }
 };
 
@@ -104,6 +107,21 @@ void add_places(const occt::FaceIntersection& pair, const std::string& name,
   }
 }
 
+// The edges themselves, and what they have in common with the other input.
+void add_edge_meetings(const reports::IntersectionFindings& findings, IntersectionLayers& layers) {
+  const reports::EdgeFindings& edges = findings.edges;
+  for (const reports::EdgesOf* of : {&edges.a, &edges.b}) {
+    for (const TopoDS_Edge& edge : of->edges) layers.edges.items.push_back({edge_points(edge)});
+    for (const occt::EdgeStretch& stretch : of->met.stretches)
+      layers.overlapping_edges.items.push_back(
+          {edge_points(of->edges[static_cast<std::size_t>(stretch.edge)], stretch.range),
+           "common stretch of " + number_text(rounded(stretch.length)) + " mm"});
+  }
+  for (const reports::EdgeMeeting& point :
+       reports::meetings_of(edges, findings.a, findings.b).points)
+    layers.points.items.push_back({{point.point}, point.of_a + " x " + point.of_b + "\npoint"});
+}
+
 }  // namespace
 
 std::vector<std::string> face_labels(const Input& input) {
@@ -129,12 +147,13 @@ std::vector<std::string> certificate_facts(const Certificate& certificate) {
   return facts;
 }
 
-Picture intersection_picture(const Input& a, const Input& b, const occt::ShapeIntersection& found) {
+Picture intersection_picture(const reports::IntersectionFindings& findings) {
+  const auto& [a, b, found, joined, edges] = findings;
   const bool itself = &a == &b;
   Picture picture;
   picture.title = short_name(a.name) + (itself ? " with itself" : " x " + short_name(b.name));
   picture.subtitle =
-      std::string(to_string(stated(found.status))) + ": " + counts_text(counts_of(a, found));
+      std::string(to_string(stated(found.status))) + ": " + counts_text(counts_of(a, found, edges));
   picture.groups = {{a.faces, kFirstColour, itself ? kSecondOpacity : kFirstOpacity,
                      short_name(a.name), face_labels(a)}};
   if (!itself)
@@ -150,6 +169,7 @@ Picture intersection_picture(const Input& a, const Input& b, const occt::ShapeIn
       add_overlap(a, pair, overlap, name, spacing, layers);
     add_places(pair, name, layers);
   }
+  add_edge_meetings(findings, layers);
   picture.layers = layers.all();
   picture.facts = certificate_facts(found.certificate);
   return picture;

@@ -10,11 +10,12 @@
 #include "adapters/occt/intersection.h"
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/picture/picture.h"
+#include "plugin/reports/cuts/intersection.h"
 
 namespace blossom::cli {
 
 /// a, b      one object for an input with itself
-Picture intersection_picture(const Input& a, const Input& b, const occt::ShapeIntersection& found);
+Picture intersection_picture(const reports::IntersectionFindings& findings);
 
 /// What a page tells of faces: "face 12 (Bolt), cylinder".
 std::vector<std::string> face_labels(const Input& input);

@@ -2,6 +2,7 @@
 #include "plugin/cli/commands/intersect/intersection_text.h"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
 #include "plugin/cli/output/verbosity.h"
+#include "plugin/reports/models/parts.h"
 
 namespace blossom::cli {
 namespace {
@@ -31,10 +33,12 @@ const char* words_of(PlaceKind kind) {
 
 std::string short_number(double value) { return number_text(rounded(value)); }
 
-std::string near_text(const Vec3& point) {
+std::string shown_point(const Vec3& point) {
   const Vec3 shown = without_roundings(point);
-  return "near " + vector_text({rounded(shown[0]), rounded(shown[1]), rounded(shown[2])});
+  return vector_text({rounded(shown[0]), rounded(shown[1]), rounded(shown[2])});
 }
+
+std::string near_text(const Vec3& point) { return "near " + shown_point(point); }
 
 std::string gap_text(const Place& place) {
   return "gap " + short_number(place.gap_low) + " to " + short_number(place.gap_high);
@@ -112,6 +116,30 @@ void list_places(const PairNames& names, const occt::ShapeIntersection& found, s
   if (!all) text << "  and " << lines.size() - kFew << " more such places, which -v lists\n";
 }
 
+// Whether the pairs of faces of one model are all of different solids or sheets.
+bool are_between_parts(const Input& input, const occt::ShapeIntersection& found) {
+  if (found.pairs.empty()) return false;
+  std::map<int, std::size_t> part_of;
+  const std::vector<reports::NamedPart> parts = reports::named_parts(input);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (const int face : reports::faces_of(parts[i]).numbers) part_of.emplace(face, i);
+  const auto part = [&](int face) {
+    return part_of.at(input.numbers[static_cast<std::size_t>(face)]);
+  };
+  return std::ranges::all_of(found.pairs, [&](const occt::FaceIntersection& pair) {
+    return part(pair.face_a) != part(pair.face_b);
+  });
+}
+
+void list_edge_meetings(const reports::EdgeMeetingLists& lists, std::ostream& text) {
+  for (const reports::EdgeMeeting& each : lists.points)
+    text << "  " << each.of_a << " x " << each.of_b << ": point " << near_text(each.point) << "\n";
+  for (const reports::EdgeMeeting& each : lists.stretches)
+    text << "  " << each.of_a << " x " << each.of_b << ": common stretch of length "
+         << short_number(each.length) << " from " << shown_point(each.point) << " to "
+         << shown_point(each.end) << "\n";
+}
+
 }  // namespace
 
 double overlap_area(const Input& a, const occt::FaceIntersection& pair, const Overlap& overlap) {
@@ -122,8 +150,12 @@ double overlap_area(const Input& a, const occt::FaceIntersection& pair, const Ov
   return occt::polygon_area(face, polygon);
 }
 
-IntersectionCounts counts_of(const Input& a, const occt::ShapeIntersection& found) {
+IntersectionCounts counts_of(const Input& a, const occt::ShapeIntersection& found,
+                             const reports::EdgeFindings& edges) {
   IntersectionCounts counts;
+  counts.points = edges.points();
+  counts.stretches = edges.stretches();
+  counts.stretches_length = edges.length();
   for (const occt::FaceIntersection& pair : found.pairs) {
     counts.curves += pair.chains.size();
     counts.closed +=
@@ -154,6 +186,10 @@ std::string counts_text(const IntersectionCounts& counts) {
   if (counts.overlaps > 0)
     item(counts.overlaps, "overlap")
         << " of about " << number_text(rounded(counts.overlap_area)) << " mm²";
+  if (counts.stretches > 0)
+    text << (text.tellp() > 0 ? ", " : "") << counts.stretches
+         << (counts.stretches == 1 ? " common stretch" : " common stretches") << " of "
+         << number_text(rounded(counts.stretches_length)) << " mm";
   if (counts.contacts > 0) item(counts.contacts, "contact") << " within tolerance";
   if (counts.unresolved > 0) item(counts.unresolved, "unresolved region");
   return text.tellp() > 0 ? text.str() : "no curve and no point";
@@ -219,15 +255,19 @@ bool tells_joined(const IntersectionCounts& counts) {
 std::string intersection_text(const reports::IntersectionFindings& findings,
                               const std::string& title, const IntersectionCounts& counts,
                               const reports::RunTimes& times) {
-  const auto& [a, b, found, joined] = findings;
+  const auto& [a, b, found, joined, edges] = findings;
   std::ostringstream text;
   text << title << ": ";
   if (&a == &b) text << reports::verdict_of(found) << ", ";
   text << to_string(stated(found.status)) << ", " << counts_text(counts) << ", "
        << seconds_text(times.seconds) << "\n";
   if (tells_joined(counts)) text << joined_text(joined);
+  if (&a == &b && counts.any() && are_between_parts(a, found))
+    text << "  no part meets itself: all is between different parts, which `blossom clash` tells "
+            "apart by whether they touch or penetrate\n";
   const PairNames names(a, b);
   for (const occt::FaceIntersection& pair : found.pairs) list_findings(a, names, pair, text);
+  list_edge_meetings(reports::meetings_of(edges, a, b), text);
   list_places(names, found, text);
   for (const std::string& reason : found.certificate.reasons) text << "  " << reason << "\n";
   return text.str();

@@ -22,11 +22,16 @@ struct IntersectionCounts {
   double overlap_area = 0;  ///< about, square model units
   std::size_t contacts = 0;
   std::size_t unresolved = 0;
+  std::size_t stretches = 0;    ///< of edges
+  double stretches_length = 0;  ///< model units
 
-  bool any() const { return curves + points + overlaps + contacts > 0; }
-  bool has_shape() const { return curves + points > 0; }  ///< that a file of pairs can hold
+  bool any() const { return curves + points + overlaps + contacts + stretches > 0; }
+  bool has_shape() const {
+    return curves + points + stretches > 0;
+  }  ///< that a file of pairs can hold
 };
-IntersectionCounts counts_of(const Input& a, const occt::ShapeIntersection& found);
+IntersectionCounts counts_of(const Input& a, const occt::ShapeIntersection& found,
+                             const reports::EdgeFindings& edges);
 
 /// "3 curves (1 closed), 1 overlap of about 20.5 mm²"; what there is none of is left out.
 std::string counts_text(const IntersectionCounts& counts);

@@ -51,7 +51,7 @@ int run(const SelfIntersectCommand& options) {
   const auto scope = options.all_faces ? occt::SelfScope::AllFaces : occt::SelfScope::EachFace;
   const TimedIntersection result =
       timed_intersection(options.intersect, [&](const IntersectionOptions& engine) {
-        return occt::self_intersect(input.faces, scope, engine);
+        return FoundIntersection{occt::self_intersect(input.faces, scope, engine)};
       });
   return write_outputs(input, input, input.name + " with itself", result, options.intersect);
 }

@@ -24,6 +24,7 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
+#include "plugin/reports/models/edges.h"
 #include "plugin/reports/queries/plane_cuts.h"
 #include "plugin/reports/queries/section.h"
 

@@ -21,6 +21,7 @@
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
 #include "plugin/drawings/section_drawing.h"
+#include "plugin/reports/models/edges.h"
 #include "plugin/reports/queries/plane_cuts.h"
 
 namespace blossom::cli {
