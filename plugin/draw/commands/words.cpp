@@ -72,6 +72,13 @@ std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape, const std::string& 
   return faces;
 }
 
+std::vector<TopoDS_Edge> loose_edges_in(const TopoDS_Shape& shape, const std::string& name) {
+  std::vector<TopoDS_Edge> edges = occt::loose_edges_of(shape);
+  if (edges.empty() && occt::faces_of(shape).empty())
+    throw occt::BadModel(name + ": there is no face and no edge in it");
+  return edges;
+}
+
 occt::TrimTool tool_named(const std::string& name, occt::Sewable which) {
   const TopoDS_Shape shape = sew(name, std::nullopt, which).shape;
   faces_in(shape, name);

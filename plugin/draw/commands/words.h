@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <Draw_Interpretor.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -54,6 +55,10 @@ SewnShape sew(const std::string& name, const std::optional<double>& within,
 
 /// throws   likewise, or if there is no face in it
 std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape, const std::string& name);
+
+/// The edges in it beside its faces.
+/// throws   likewise, or if there is neither a face nor an edge in it
+std::vector<TopoDS_Edge> loose_edges_in(const TopoDS_Shape& shape, const std::string& name);
 
 /// All of it, sewn, as a tool that is called by its name in messages.
 /// throws   BadModel likewise, or as trim_tool

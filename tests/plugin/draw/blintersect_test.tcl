@@ -46,11 +46,26 @@ test {
   claim "also where the result takes the place of a shape" \
       [expr {[lindex [blintersect corner corner a] 2 1] eq [lindex $contact 1]}]
 
+  # An edge through a box, and along one of its faces.
+  box block 4 4 4
+  vertex below 1 2 -3
+  vertex above 1 2 7
+  edge needle below above
+  set answer [blintersect r needle block]
+  claim "an edge has points in common with faces" [expr {[lrange $answer 0 1] eq "0 complete" && [llength $answer] == 4}]
+  claim "they are told with the edge and the face" [expr {[lindex $answer 2 1] eq "edge 1" && [lindex $answer 2 2 0] eq "face"}]
+  claim "and are vertices of the result" [expr {[count_of r VERTEX] == 2}]
+  claim "either may be the edge" [expr {[lindex [blintersect r block needle] 2 2] eq "edge 1"}]
+  vertex left -2 1 4
+  vertex right 6 1 4
+  edge rod left right
+  claim "what lies on a face is a wire" [expr {[lindex [blintersect r rod block] 0] == 1 && [count_of r EDGE] == 1}]
+
   claim "a missing shape is named" \
       [string match "*nosuch: there is no such shape*" [message_of blintersect r a nosuch]]
   vertex v 1 2 3
   claim "a shape without faces is named" \
-      [string match "*v: there is no face in it*" [message_of blintersect r v a]]
+      [string match "*v: there is no face and no edge in it*" [message_of blintersect r v a]]
   claim "a bad tolerance is refused" \
       [string match "*'-1' is no positive number*" [message_of blintersect r a b -1]]
   plane flat 0 0 0 0 0 1
