@@ -35,6 +35,20 @@ def wavy(document, name, height):
     return shaped(document, name, surface.toShape())
 
 
+def intersection_of_edges_has_their_points(document):
+    block = box(document)
+    line = shaped(document, "Line", Part.makeLine(V(5, 5, -5), V(5, 5, 20)))
+    crossing = make.intersection(document, line, block)
+    along = make.intersection(document, (block, "Edge1"), (block, "Face1"))
+    document.recompute()
+    claim("a line crosses a box in two points", (crossing.Status, crossing.Points) == ("complete", 2))
+    claim(
+        "which are its vertices",
+        sorted(tuple(v.Point) for v in crossing.Shape.Vertexes) == [(5, 5, 0), (5, 5, 10)],
+    )
+    claim("an edge of a face lies on it", valid(along) and near(along.Length, 10))
+
+
 def intersection_is_where_containers_have_put_the_faces(document):
     sea = wavy(document, "Sea", lambda x, y: math.sin(0.6 * x) * math.cos(0.5 * y))
     sail = wavy(document, "Sail", lambda x, y: 0.2 * (x - 5) + 0.3 * math.sin(y))
@@ -376,6 +390,7 @@ def answers_tell_why_they_are_not_complete(document):
 
 
 run(
+    intersection_of_edges_has_their_points,
     intersection_is_where_containers_have_put_the_faces,
     intersection_that_is_empty_is_an_answer,
     section_has_closed_wires,

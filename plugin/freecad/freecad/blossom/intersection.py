@@ -8,17 +8,20 @@ from .feature import TOLERANCE, Fact, Feature, Link
 class Intersection(Feature):
     NAME = "Intersection"
     TITLE = "Intersection"
-    TIP = "All curves in which faces meet other faces, with a proof that none is missing"
+    TIP = (
+        "All curves in which faces meet other faces, or points in which edges meet faces and edges, "
+        "with a proof that none is missing"
+    )
     DOING = "Intersecting faces"
     LINKS = (
-        Link("A", "Faces", "Faces, or objects with faces"),
-        Link("B", "Other faces", "Faces, or objects with faces, that they meet"),
+        Link("A", "Faces", "Faces, objects with faces, or edges and wires"),
+        Link("B", "Other faces", "Faces, objects with faces, or edges and wires, that they meet"),
     )
     CHOICES = (TOLERANCE,)
     FACTS = (
         Fact("Status", "word", "complete: no curve is missing; tolerance, stopped: see Reasons"),
         Fact("Curves", "count", "How many curves there are"),
-        Fact("Points", "count", "How many points there are in which faces only touch"),
+        Fact("Points", "count", "In how many points faces only touch, or edges meet"),
         Fact("Overlaps", "count", "How many common areas there are"),
         Fact("Length", "length", "Of all edges, each stretch once, mm"),
         Fact("Deviation", "length", "How far curves are from both faces at most, mm"),
@@ -26,7 +29,7 @@ class Intersection(Feature):
     )
 
     def inputs(self, obj):
-        return {"A": links.faces(obj.A, "A"), "B": links.faces(obj.B, "B")}
+        return {name: links.faces_or_edges(getattr(obj, name), name) for name in ("A", "B")}
 
     def options(self, obj):
         return {"tolerance": obj.Tolerance.Value}
@@ -40,7 +43,7 @@ class Intersection(Feature):
         return {
             "Status": report["status"],
             "Curves": len(curves),
-            "Points": len(report["points"]),
+            "Points": len(report["points"]) + len(report["edge_points"]),
             "Overlaps": len(report["overlaps"]),
             "Length": report["joined"]["length"],
             "Deviation": max(deviations, default=0.0),

@@ -96,6 +96,16 @@ def faces(link, name):
     return made
 
 
+def faces_or_edges(link, name):
+    """All members of a link as one shape; those that have no face have edges. throws ValueError"""
+    made = shape(link, name, "a face or an edge")
+    if not made.Edges:
+        raise ValueError(
+            f"{name}: faces or edges are wanted, {shown(*members(link)[0])} has none"
+        )
+    return made
+
+
 def shapes(link, name, wanted):
     """The shapes of all members, of which one at least is wanted. throws ValueError"""
     made = [shape_of(target, sub, name) for target, sub in members(link)]
