@@ -236,9 +236,10 @@ class ClashSearch {
       return {.a = a, .b = b, .status = Status::Stopped, .upper = kEndless, .measured = false};
     Clash pair = with_distance(a, b, options_.clearance.value_or(kEndless));
     relate(pair);
-    if (pair.relation == Relation::Touching) find_contacts(pair);
     const bool solids = bodies(a).all().front().is_solid() && bodies(b).all().front().is_solid();
-    if (solids && pair.relation == Relation::Crossing) find_common_body(pair);
+    const bool crosses = pair.relation == Relation::Crossing;
+    if (solids && crosses) find_common_body(pair);
+    if (pair.relation == Relation::Touching || (crosses && !solids)) find_contacts(pair);
     if (one_holds_the_other(pair.relation)) take_held_body(pair);
     return pair;
   } catch (const BadModel& error) {
@@ -290,7 +291,12 @@ class ClashSearch {
     common.volume = made.total.result;
     common.solids = made.solids;
     std::vector<TopoDS_Face> of_a, of_b;
-    for (const SolidFace& face : made.faces) (face.tool < 0 ? of_a : of_b).push_back(face.face);
+    // A piece that bounds both lies on the other boundary all over; with several solids it may be
+    // one of the last two alone.
+    const bool is_pair = a.solids.size() == 1 && b.solids.size() == 1;
+    common.upper = tolerance_;
+    for (const SolidFace& face : made.faces)
+      if (!is_pair || !face.of_both) (face.tool < 0 ? of_a : of_b).push_back(face.face);
     deepen(depth_of(of_a, bodies(pair.b).boundary(), tolerance_, common.lower, stop()), common);
     deepen(depth_of(of_b, bodies(pair.a).boundary(), tolerance_, common.lower, stop()), common);
   } catch (const BadModel& error) {

@@ -50,7 +50,8 @@ struct Clash {
   double lower = 0, upper = 0;    ///< bounds on the distance of the boundaries, model units
   bool measured = true;           ///< false: only known to be more than `lower`, as the clearance
   ShapePoint near_a{}, near_b{};  ///< where `upper` is taken
-  std::vector<BodyContact> contacts{};   ///< of parts that touch; of the highest kind first
+  std::vector<BodyContact>
+      contacts{};  ///< of parts that touch, or of a sheet that crosses; the highest kind first
   std::optional<CommonBody> common{};    ///< of solids that penetrate or hold each other
   std::vector<std::string> obstacles{};  ///< why it is missing, or the relation not known
 };

@@ -90,7 +90,7 @@ SolidTrimResult LayerWork::step(const LabelledSolid& first, const LabelledSolid&
   for (SolidFace& face : made.faces) {
     const LabelledSolid& of = face.tool < 0 ? first : second;
     const SolidFace& origin = of.faces[static_cast<std::size_t>(face.from)];
-    face = {face.face, origin.tool, origin.from};
+    face = {.face = face.face, .tool = origin.tool, .from = origin.from, .of_both = face.of_both};
     valid.Add(face.face);
   }
   add_facts(made, told);

@@ -72,6 +72,7 @@ struct SolidFace {
   int from = 0;   ///< place of the face that it is a piece of among that one's faces
   SheetSide side = SheetSide::Outside;  ///< of a sheet's piece; else without a meaning
   bool as_given = false;                ///< all of an input's face; others were checked to be valid
+  bool of_both = false;                 ///< it bounds both solids of the step that made it
 };
 
 /// A face of an input.

@@ -86,6 +86,7 @@ void choose(const std::vector<Measured>& pieces, int tool, SolidSide side, Turn 
     const TopoDS_Face face = round ? TopoDS::Face(piece.face.Reversed()) : piece.face;
     chosen.faces.push_back({face, round ? -volume : volume});
     chosen.origins.push_back({face, tool, piece.from});
+    chosen.origins.back().of_both = side == SolidSide::Same;
   }
 }
 

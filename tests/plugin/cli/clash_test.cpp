@@ -165,6 +165,31 @@ TEST_F(ClashCommand, TellsInOneTableHowAllPartsLieToEachOther) {
   EXPECT_NEAR(marble["boundary_distance"][1], 10, 1e-9);
 }
 
+// The ends lie in the other body's boundary, all of them, and have no depth.
+TEST_F(ClashCommand, TellsTheDepthOfAPressedShaftThatEndsFlush) {
+  const TopoDS_Shape bearing = BRepAlgoAPI_Cut(rod(0, 0, 0, 20, 10), rod(0, 0, -5, 10, 20)).Shape();
+  const std::string file =
+      file_of({{"Bearing", bearing}, {"Shaft", rod(0, 0, 0, 10.05, 10)}}, "flush.step");
+
+  const json common = report_of({"clash", file})["pairs"][0]["common"];
+  EXPECT_NEAR(common["depth"][0], 0.05, 1e-6);
+  EXPECT_LE(common["depth"][1], 0.051);
+}
+
+TEST_F(ClashCommand, TellsWhereASheetCrossesASolid) {
+  const TopoDS_Shape sheet =
+      BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 5), gp_Dir(0, 0, 1)), -3, 20, 2, 8).Face();
+  const std::string file =
+      file_of({{"Block", box(0, 0, 0, 10, 10, 10)}, {"Sheet", sheet}}, "sheet.step");
+
+  const json pair = report_of({"clash", file})["pairs"][0];
+  EXPECT_EQ(pair["relation"], "penetrates");
+  ASSERT_FALSE(pair["contacts"].empty());
+  EXPECT_EQ(pair["contacts"][0]["kind"], "curve");
+  EXPECT_NEAR(pair["contacts"][0]["point"][2], 5, 1e-9);
+  EXPECT_NE(blossom({"clash", file}).out.find("curves, one of them at ("), std::string::npos);
+}
+
 // The rest would be the square of the parts.
 TEST_F(ClashCommand, ListsPairsThatWereLookedAtAndCountsAll) {
   Parts row;
