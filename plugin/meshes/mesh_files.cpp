@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -129,6 +131,10 @@ std::vector<std::string> lost_of(const FileMesh& mesh, const std::string& ending
   return lost;
 }
 
+bool is_single(const std::string& ending, bool text) {
+  return ending == ".3mf" || (ending == ".stl" && !text);
+}
+
 double rounding_of(const std::vector<Vec3>& points) {
   double most = 0;
   for (const Vec3& p : points) {
@@ -176,10 +182,16 @@ bool is_written_mesh_file(const fs::path& file) {
 
 bool is_glb_file(const fs::path& file) { return small_ending(file) == ".glb"; }
 
+double writing_bound(const fs::path& file, bool text, double largest) {
+  if (!is_single(small_ending(file), text)) return 0;
+  const double half_a_unit = 0.5 * std::numeric_limits<float>::epsilon() * largest;
+  return std::sqrt(3.0) * half_a_unit;  // of three coordinates
+}
+
 WrittenMesh write_mesh_file(const FileMesh& mesh, const fs::path& file, bool text,
                             const std::function<void()>& stop) {
   const std::string ending = small_ending(file);
-  const bool single = ending == ".3mf" || (ending == ".stl" && !text);
+  const bool single = is_single(ending, text);
   occt::write_text(ending == ".obj"   ? obj_text(mesh)
                    : ending == ".off" ? off_text(mesh)
                    : ending == ".ply" ? ply_content(mesh, text)

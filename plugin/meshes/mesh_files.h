@@ -51,6 +51,10 @@ struct WrittenMesh {
   std::vector<std::string> lost{};  ///< of "names" and "colours" of groups, what has no place there
 };
 
+/// How far writing a file may move points whose coordinates are no larger, model units: a bound on
+/// the rounding to single precision; 0 where the format keeps doubles.
+double writing_bound(const std::filesystem::path& file, bool text, double largest);
+
 /// Binary where the format has that (.stl, .ply), unless `text`; whole or not at all. All but
 /// binary .stl give the same doubles back, and the groups; .ply and .off their colours, too.
 ///

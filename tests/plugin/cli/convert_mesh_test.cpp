@@ -72,6 +72,17 @@ double stl_volume(const std::string& bytes, std::uint32_t& facets) {
   return sum;
 }
 
+// Rounding to single precision moves points of this ball by up to 1e-5.
+TEST_F(ConvertMesh, KeepsTheDeviationInFilesOfSinglePrecision) {
+  write(BRepPrimAPI_MakeSphere(gp_Pnt(90, 90, 90), 10), "a.step");
+
+  const nlohmann::json made = report("a.step", "a.stl", {"--deviation", "0.002"});
+
+  EXPECT_EQ(made["deviation"], 0.002);
+  EXPECT_LE(made["distance"].get<double>(), 0.002);
+  EXPECT_GT(made["distance"].get<double>(), 0.001);
+}
+
 TEST_F(ConvertMesh, WritesABinaryStlWithinTheDeviation) {
   write(BRepPrimAPI_MakeCylinder(10, 20), "a.step");
 

@@ -2,10 +2,14 @@
 #include "plugin/cli/commands/meshes/convert_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <sstream>
 #include <utility>
 
+#include <Bnd_Box.hxx>
+
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/tessellation/triangulated_faces.h"
 #include "core/base/work_limit.h"
 #include "plugin/cli/arguments/inputs.h"
@@ -37,6 +41,18 @@ meshes::ShapeMesh meshed(const Input& input, const std::vector<meshes::MeshGroup
     progress.tick();
     return limit.reached() == nullptr;
   });
+}
+
+// What the file's rounding leaves of the deviation; where that is little, half of it all the same.
+double deviation_of_triangles(const TopoDS_Shape& shape, const MeshConversion& conversion,
+                              const std::string& file) {
+  const Bnd_Box box = occt::bounds_of(shape);
+  if (box.IsVoid() || conversion.deviation == 0) return conversion.deviation;
+  double largest = 0;
+  for (const gp_Pnt& corner : {box.CornerMin(), box.CornerMax()})
+    for (int k = 1; k <= 3; ++k) largest = std::max(largest, std::abs(corner.Coord(k)));
+  const double moved = meshes::writing_bound(file, conversion.text, largest);
+  return std::max(conversion.deviation - moved, 0.5 * conversion.deviation);
 }
 
 // parts   of faces, by their numbers in the model
@@ -103,8 +119,9 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
   drop_other_faces(input);
   stop_if_interrupted();
   FacetOptions options = conversion.facets;
-  options.deviation = conversion.deviation;
+  options.deviation = deviation_of_triangles(input.model.shape(), conversion, common.output);
   meshes::ShapeMesh made = meshed(input, groups, options);
+  if (conversion.deviation > 0) made.answer.options.deviation = conversion.deviation;
   stop_if_interrupted();
   if (made.made.facets.stopped) {
     report_unwritten(common.output, "the time limit was reached while it was meshed");
