@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -41,6 +44,21 @@ class TrimCommand : public ::testing::Test {
 
   testing::TestFolder folder;
 };
+
+TEST_F(TrimCommand, ListsTheFirstOfManyPiecesAndWithVAll) {
+  std::vector<std::string> words{"--keep", "all"};
+  for (int k = 1; k <= 24; ++k)
+    words.insert(words.end(), {"--plane", std::to_string(0.08 * k - 1) + ",0,0,1,0,0"});
+  const Finished few = trim(-1, words);
+  words.emplace_back("-v");
+  const Finished all = trim(-1, words);
+
+  EXPECT_EQ(few.code, 0) << few.err;
+  EXPECT_NE(few.out.find("in 25 pieces"), std::string::npos) << few.out;
+  EXPECT_NE(few.out.find("  and 5 more pieces, which -v lists\n"), std::string::npos) << few.out;
+  EXPECT_EQ(std::ranges::count(few.out, '\n'), 22);
+  EXPECT_EQ(std::ranges::count(all.out, '\n'), 26);
+}
 
 TEST_F(TrimCommand, ReportsPiecesWithSidesAndAreas) {
   const Finished run = trim(0.25, {"--keep", "all", "--json", "-"});

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -25,6 +26,7 @@
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
 #include "plugin/cli/output/reasons.h"
+#include "plugin/cli/output/verbosity.h"
 #include "plugin/cli/output/watertight_output.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
@@ -115,10 +117,14 @@ std::string summary(const Inputs& inputs, const FaceLabels& labels, const TimedT
        << counted(timed.made.areas.size(), "face") << " in "
        << counted(timed.made.pieces.size(), "piece") << ", " << kept_count(timed.made) << " kept, "
        << seconds_text(timed.seconds) << "\n";
-  for (const occt::TrimPiece& piece : timed.made.pieces)
+  constexpr std::size_t kFew = 20;
+  const std::size_t pieces = timed.made.pieces.size();
+  const bool all = verbosity() == Verbosity::Verbose || pieces <= kFew;
+  for (const occt::TrimPiece& piece : std::span(timed.made.pieces).first(all ? pieces : kFew))
     text << "  piece " << piece.number << " of " << labels.of(piece.face) << ": "
          << side_text(piece.side) << ", area " << number_text(rounded(piece.area)) << " mm²"
          << (piece.kept ? "" : ", left out") << "\n";
+  if (!all) text << "  and " << pieces - kFew << " more pieces, which -v lists\n";
   for (const std::string& note : timed.made.notes) text << "  " << note << "\n";
   if (timed.made.status != Status::Complete)
     for (const std::string& reason : reported_reasons(timed.made.certificate, Contacts::NotListed))
