@@ -89,6 +89,19 @@ class Result(MadeShape):
         self._model: Optional[_core.Model] = None
         self._lists: Dict[str, List[Any]] = {}
 
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            """Questions that only models answer are refused in words."""
+            from ._model import Model
+
+            kind = type(self).__name__
+            if not name.startswith("_") and hasattr(Model, name):
+                raise AttributeError(
+                    f"{kind} is an answer and has no {name}; its shape has: answer.model.{name}"
+                )
+            raise AttributeError(f"'{kind}' object has no attribute '{name}'")
+
     def _told(self) -> Report:
         if self._report is None:
             assert self._answer is not None

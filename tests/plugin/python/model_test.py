@@ -36,6 +36,14 @@ class KnownFigures(unittest.TestCase):
         np.testing.assert_allclose(wire.points.max(axis=0), (60, 40, 5), atol=1e-9)
         self.assertEqual(repr(section), "<blossom.Section: complete, 1 wire, 4 curves, 0 points>")
 
+    def test_what_only_a_model_answers_is_refused_in_words(self):
+        drilled = self.block.solid("cut", DRILL)
+        with self.assertRaisesRegex(AttributeError, r"Solid .* has no solid; .*: answer\.model\.solid"):
+            drilled.solid("cut", DRILL)
+        with self.assertRaisesRegex(AttributeError, "no attribute 'nothing_such'"):
+            drilled.nothing_such
+        self.assertAlmostEqual(drilled.model.volume, DRILLED, places=6)
+
     def test_curves_of_a_section_are_splines(self):
         circle = blossom.read(DRILL).section((0, 0, 5), (0, 0, 1)).curves
         self.assertAlmostEqual(sum(curve.length for curve in circle), 16 * np.pi, places=6)
