@@ -74,8 +74,10 @@ Job parse_job(const std::string& line, const std::string& place) {
 
 std::string filled_in(const std::string& argument, const std::string& file) {
   const std::filesystem::path path = file;
-  const std::pair<const char*, std::string> marks[] = {
-      {"{}", file}, {"{/}", path.filename()}, {"{/.}", path.stem()}};
+  const std::pair<const char*, std::string> marks[] = {{"{}", file},
+                                                       {"{.}", path.parent_path() / path.stem()},
+                                                       {"{/}", path.filename()},
+                                                       {"{/.}", path.stem()}};
   std::string text;
   for (std::size_t at = 0; at < argument.size();) {
     std::size_t length = 1;

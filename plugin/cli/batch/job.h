@@ -26,8 +26,8 @@ Job parse_job(const std::string& line, const std::string& place);
 /// throws   UsageError if a job may not have these arguments
 void check_command(const std::vector<std::string>& arguments, const std::string& place);
 
-/// Puts a file's name in the place of {}, the name without folder in that of {/}, and without
-/// folder and ending in that of {/.}.
+/// Puts a file's name in the place of {}, without its ending in that of {.}, without the folder in
+/// that of {/}, and without both in that of {/.}.
 std::string filled_in(const std::string& argument, const std::string& file);
 
 /// For telling whether a job is the one that a result is of.

@@ -201,7 +201,10 @@ void add_batch(CLI::App& app, int& exit_code) {
       ->type_name("JOBS");
   command->add_option("-o,--output", options->output, "results (JSON lines, - is stdout), added to")
       ->type_name("FILE");
-  command->add_option("--each", options->each, "a job for each file; {} in the command is its name")
+  command
+      ->add_option("--each", options->each,
+                   "a job for each file; {} in the command is its name, "
+                   "{.} without the ending, {/.} without the folder, too")
       ->type_name("PATTERN");
   command
       ->add_option("-j,--jobs", options->in_flight, "jobs at a time; 0 is one for each processor")

@@ -214,6 +214,9 @@ TEST_F(Batch, NamesOfOutputsFollowThoseOfInputs) {
            "{}", "-o", (folder / "elsewhere/{/.}.step").string()});
   EXPECT_TRUE(std::filesystem::exists(folder / "elsewhere/bowl.step"));
   EXPECT_TRUE(std::filesystem::exists(folder / "elsewhere/lid.step"));
+  blossom({"batch", "--each", (folder / "*.brep").string(), "-o", folder / "second.jsonl", "-q",
+           "--", "convert", "{}", "-o", "{.}.step"});
+  EXPECT_TRUE(std::filesystem::exists(folder / "bowl.step"));
 }
 
 TEST_F(Batch, AnotherCommandUnderTheSameNameIsRefused) {
