@@ -2,6 +2,10 @@
 #include "adapters/occt/blending/hole.h"
 
 #include <algorithm>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <utility>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
@@ -13,6 +17,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/blending/flat_fill.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/intersection_edges.h"
 #include "core/blending/fills/fill_layout.h"
@@ -71,16 +76,72 @@ std::string in_edges(const Fill& fill, const HoleLoop& loop) {
   return text;
 }
 
+// Whether all sides that ask for it have it.
+bool is_reached(const FilledHole& hole, FillContinuity wish, auto&& has) {
+  bool asked = false;
+  for (std::size_t k = 0; k < hole.sides.size(); ++k) {
+    if (hole.sides[k].continuity < wish) continue;
+    asked = true;
+    if (!has(hole.fill.figures.sides[k])) return false;
+  }
+  return asked;
+}
+
+// A common tangent plane that is asked for is there or not, since the plane cannot bend.
+void judge_flat(const HoleOptions& options, FilledHole& hole) {
+  Fill& fill = hole.fill;
+  for (std::size_t k = 0; k < hole.sides.size(); ++k) {
+    const double angle = fill.figures.sides[k].normal_angle;
+    if (hole.sides[k].continuity == FillContinuity::G0 || angle <= options.fill.angle) continue;
+    std::ostringstream text;
+    text
+        << "the hole has no corners for patches, and a flat face in it meets the neighbour at edge "
+        << hole.sides[k].edge.number << " at an angle of " << angle * 180 / std::numbers::pi
+        << " degrees; G0 asks for no tangent planes";
+    fill.problem = FillProblem::TangentPlanes;
+    fill.message = text.str();
+    hole.faces.clear();
+    return;
+  }
+  const double bend = options.fill.curvature * fill.figures.largest_curvature;
+  const auto is_smooth = [](const FillContact&) { return true; };  // else it was refused
+  const auto bends_alike = [&](const FillContact& side) {
+    return side.curvature_difference <= bend;
+  };
+  if (is_reached(hole, FillContinuity::G1, is_smooth)) fill.reached = FillContinuity::G1;
+  if (is_reached(hole, FillContinuity::G2, bends_alike)) fill.reached = FillContinuity::G2;
+}
+
+// By the plane that the loop lies in, if there is one.
+std::optional<FilledHole> flat_hole(const HoleLoop& loop,
+                                    const std::vector<FillContinuity>& continuity,
+                                    const HoleOptions& options) {
+  const double tolerance =
+      std::max(options.within, point_tolerance(loop, options.fill.tolerances.point));
+  std::optional<FlatFill> made = flat_fill(loop, tolerance);
+  if (!made) return std::nullopt;
+  FilledHole hole{.fill = {}, .sides = {}, .faces = {made->face}, .flat = true};
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    hole.sides.push_back({.edge = loop[k], .continuity = continuity[k], .exact = true});
+  hole.fill.degree = 1;
+  hole.fill.figures.sides = std::move(made->sides);
+  hole.fill.figures.largest_curvature = made->largest_curvature;
+  judge_flat(options, hole);
+  return hole;
+}
+
 }  // namespace
 
 FilledHole filled_hole(const HoleLoop& loop, const std::vector<FillContinuity>& continuity,
                        const HoleOptions& options) {
   const auto count = static_cast<int>(loop.size());
-  if (count < kMinFillSides || count > kMaxFillSides)
+  if (count < kMinFillSides || count > kMaxFillSides) {
+    if (const auto flat = flat_hole(loop, continuity, options)) return *flat;
     throw BadModel("a hole of " + std::to_string(kMinFillSides) + " to " +
                    std::to_string(kMaxFillSides) +
-                   " edges with corners between them is wanted, that at edge " +
+                   " edges with corners between them, or in a plane, is wanted, that at edge " +
                    std::to_string(loop.front().number) + " has " + std::to_string(count));
+  }
   FilledHole result;
   std::vector<FillSide> sides;
   FillOptions wish = options.fill;
@@ -92,6 +153,8 @@ FilledHole filled_hole(const HoleLoop& loop, const std::vector<FillContinuity>& 
   }
   wish.tolerances.point = std::max(options.within, point_tolerance(loop, wish.tolerances.point));
   result.fill = fill(sides, wish);
+  if (result.fill.problem == FillProblem::FlatCorner)
+    if (auto flat = flat_hole(loop, continuity, options)) return std::move(*flat);
   if (result.fill.problem != FillProblem::None) {
     result.fill.message = in_edges(result.fill, loop);
     if (result.fill.problem == FillProblem::TangentPlanes)

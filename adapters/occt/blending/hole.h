@@ -31,13 +31,15 @@ struct FilledHole {
   Fill fill;                       ///< its sides are those of `sides`
   std::vector<FilledSide> sides;   ///< one after the other round the hole
   std::vector<TopoDS_Face> faces;  ///< one for each patch, beside their neighbours' orientation
+  bool flat = false;               ///< the face is a piece of a plane, and `fill` has no patches
 };
 
-/// Fills one hole.
+/// Fills one hole: by patches, or where its edges have no corners between them, as those of a round
+/// hole, or are too many, by the plane in which they lie.
 /// continuity  of each edge of the loop
 /// returns     the faces, or none and the reason in `fill`
-/// throws      BadModel as hole_side, or if the loop has too few or too many edges; Failure if Open
-///             CASCADE makes no valid face
+/// throws      BadModel as hole_side, or if the loop has too few or too many edges and lies in no
+///             plane; Failure if Open CASCADE makes no valid face
 FilledHole filled_hole(const HoleLoop& loop, const std::vector<FillContinuity>& continuity,
                        const HoleOptions& options = {});
 

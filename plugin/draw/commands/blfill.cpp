@@ -41,7 +41,7 @@ std::string answer_to_blfill(const Words& words) {
                                       {.fill = {}, .within = borders.within}));
     const Fill& fill = holes.back().fill;
     if (fill.problem != FillProblem::None) throw occt::Failure(fill.message);
-    list += " {" + std::to_string(fill.patches.size()) + " " + to_string(fill.reached) + "}";
+    list += " {" + std::to_string(holes.back().faces.size()) + " " + to_string(fill.reached) + "}";
   }
   DBRep::Set(words[0].c_str(),
              occt::sewn_holes(holes, shape, std::max(Tolerances{}.point, borders.within)).shape);

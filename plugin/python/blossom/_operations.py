@@ -144,7 +144,7 @@ class Operations(_results.MadeShape):
         sew: bool = False,
         **options: Any,
     ) -> Fill:
-        """Patches in holes of 3 to 12 sides that continue their neighbours.
+        """Patches in holes of 3 to 12 sides that continue their neighbours; flat faces in round holes.
 
         edges       round the holes, by number and in any order; all open ones if none is given
         continuity  "G0", "G1" or "G2": one for all edges, or one for each

@@ -77,8 +77,8 @@ Json hole_json(const Hole& hole) {
     sides.push_back(std::move(json));
   }
   return {{"edges", edges_json(hole.loop)},
-          {"layout", to_string(fill.layout)},
-          {"patches", fill.patches.size()},
+          {"layout", hole.filled.flat ? "flat" : to_string(fill.layout)},
+          {"patches", hole.filled.faces.size()},
           {"degree", fill.degree},
           {"rational", fill.rational},
           {"reached", to_string(fill.reached)},

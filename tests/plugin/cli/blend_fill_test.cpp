@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <nlohmann/json.hpp>
@@ -61,6 +66,43 @@ TEST_F(BlendFill, JoinsTheFillToTheModel) {
   const occt::Model model = occt::read_model(path("out.step"));
   EXPECT_EQ(model.face_count(), 5);
   EXPECT_EQ(occt::open_edges(model.shape()).size(), 4u);
+}
+
+// A cup has a round hole that no patch can continue; in a plate the plane goes on.
+TEST_F(BlendFill, ClosesRoundHolesByThePlaneInWhichTheyLie) {
+  occt::quiet_messages();
+  occt::Model cup, plate;
+  cup.add(BRepPrimAPI_MakeCylinder(10, 20).Shape(), "Cup");
+  cup.replace_faces({{2, {}}});
+  write_model(cup, folder / "cup.step");
+  plate.add(
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40, 30, 20).Shape(),
+                      BRepPrimAPI_MakeCylinder(gp_Ax2({20, 15, -5}, {0, 0, 1}), 5, 40).Shape())
+          .Shape(),
+      "Plate");
+  for (int number = 1; number <= plate.face_count(); ++number)
+    if (BRepAdaptor_Surface(plate.face(number)).GetType() == GeomAbs_Cylinder) {
+      plate.replace_faces({{number, {}}});
+      break;
+    }
+  write_model(plate, folder / "plate.step");
+
+  const Finished steep = blossom({"blend", "fill", path("cup.step"), "-o", path("no.step")});
+  EXPECT_EQ(steep.code, 2);
+  EXPECT_NE(steep.err.find("a flat face in it meets the neighbour at edge"), std::string::npos)
+      << steep.err;
+  EXPECT_NE(steep.err.find("of 90 degrees; G0 asks for no tangent planes"), std::string::npos)
+      << steep.err;
+  const Finished closed = blossom(
+      {"blend", "fill", path("cup.step"), "--continuity", "G0", "--sew", "-o", path("full.step")});
+  EXPECT_EQ(closed.code, 0) << closed.err;
+  EXPECT_NE(closed.out.find("a flat face, G0"), std::string::npos) << closed.out;
+  EXPECT_NEAR(volume(occt::read_model(path("full.step")).shape()), std::numbers::pi * 2000, 1e-6);
+  const Finished smooth =
+      blossom({"blend", "fill", path("plate.step"), "--sew", "-o", path("whole.step")});
+  EXPECT_EQ(smooth.code, 0) << smooth.err;
+  EXPECT_NE(smooth.out.find("a flat face, G1"), std::string::npos) << smooth.out;
+  EXPECT_NEAR(volume(occt::read_model(path("whole.step")).shape()), 24000, 1e-6);
 }
 
 TEST_F(BlendFill, ClosesASolidThatKeepsItsNamesLooksAndAssembly) {

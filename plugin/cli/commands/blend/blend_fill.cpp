@@ -102,9 +102,14 @@ std::string summary(const Input& input, const reports::FillAnswer& holes) {
     }
     const Fill& fill = hole.filled.fill;
     const FillContact worst = reports::worst_of(fill);
-    text << ": " << to_string(fill.layout) << ", " << fill.patches.size() << " patches of degree "
-         << fill.degree << ", " << to_string(fill.reached) << "\n    largest gap "
-         << rounded(worst.gap) << ", angle between normals " << rounded(worst.normal_angle)
+    text << ": ";
+    if (hole.filled.flat)
+      text << "a flat face, ";
+    else
+      text << to_string(fill.layout) << ", " << fill.patches.size() << " patches of degree "
+           << fill.degree << ", ";
+    text << to_string(fill.reached) << "\n    largest gap " << rounded(worst.gap)
+         << ", angle between normals " << rounded(worst.normal_angle)
          << " rad, difference of curvatures " << rounded(worst.curvature_difference) << " of "
          << rounded(fill.figures.largest_curvature) << '\n';
     for (const occt::FilledSide& side : hole.filled.sides)
@@ -172,7 +177,9 @@ int run(const FillCommand& command) {
 
 void add_blend_fill(CLI::App& blend, int& exit_code) {
   CLI::App* const command = blend.add_subcommand(
-      "fill", "patches in holes of 3 to 12 sides that continue their neighbours, exactly");
+      "fill",
+      "patches in holes of 3 to 12 sides that continue their neighbours, exactly; flat faces in "
+      "round holes");
   const auto options = std::make_shared<FillCommand>();
   command
       ->add_option("model", options->model,

@@ -8,7 +8,7 @@ from .feature import Choice, Fact, Feature, Link
 class Fill(Feature):
     NAME = "Fill"
     TITLE = "Fill holes"
-    TIP = "Patches in holes of 3 to 12 sides that continue their neighbours"
+    TIP = "Patches in holes of 3 to 12 sides that continue their neighbours; flat faces in round ones"
     DOING = "Filling holes"
     LINKS = (
         Link("Edges", "Edges", "Edges round a hole, in any order, or the object for all open ones"),
