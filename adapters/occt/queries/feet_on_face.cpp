@@ -2,6 +2,7 @@
 #include "adapters/occt/queries/feet_on_face.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -196,16 +197,27 @@ std::optional<FeetOnFace::Range> FeetOnFace::feet_of(const RationalBezierPatch& 
   return Range{*angles, Interval{latitude(heights.from, false), latitude(heights.to, true)}};
 }
 
-// Of what is made a little smaller, and in two where a seam goes through it.
+// Of a range that no foot is farther from than `within`: what is left of a smaller one, or where
+// nothing is left, as of feet along a border, on either side of it.
 bool FeetOnFace::are_inside(const Range& feet, double within) const {
-  Range rest = feet;
+  std::array<std::vector<Interval>, 2> near;
   for (std::size_t k = 0; k < 2; ++k) {
     const bool angle = kind_ == ElementaryKind::Sphere || (k == 0 && radius_ > 0);
     const double less = within / (angle ? radius_ : 1);
-    rest[k].from += less;
-    rest[k].to -= less;
-    if (rest[k].from > rest[k].to) rest[k].from = rest[k].to = 0.5 * (feet[k].from + feet[k].to);
+    const double from = feet[k].from + less, to = feet[k].to - less;
+    if (from <= to)
+      near[k] = {{from, to}};
+    else
+      for (const double at : {0.5 * (from + to), to, from}) near[k].push_back({at, at});
   }
+  for (const Interval& u : near[0])
+    for (const Interval& v : near[1])
+      if (is_range_inside({u, v}, within)) return true;
+  return false;
+}
+
+// In two where a seam goes through it.
+bool FeetOnFace::is_range_inside(const Range& rest, double within) const {
   const auto inside = [&](const Interval& u) {
     return u.from >= u.to || part_side(trims_, u, rest[1]) == PartSide::Inside;
   };

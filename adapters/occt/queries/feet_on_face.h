@@ -46,6 +46,7 @@ class FeetOnFace {
   double distance_bound(const Grid<Vec4>& net) const;
   bool axis_meets(const TopoDS_Face& face, const FaceTrims& piece) const;
   bool are_inside(const Range& feet, double within) const;
+  bool is_range_inside(const Range& rest, double within) const;
 
   std::optional<ElementaryKind> kind_;
   gp_Ax3 frame_;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -174,6 +175,18 @@ TEST_F(ClashCommand, TellsTheDepthOfAPressedShaftThatEndsFlush) {
   const json common = report_of({"clash", file})["pairs"][0]["common"];
   EXPECT_NEAR(common["depth"][0], 0.05, 1e-6);
   EXPECT_LE(common["depth"][1], 0.051);
+}
+
+// Where the head begins, the ring of the cover within the bolt lies along the end of the shank.
+TEST_F(ClashCommand, TellsTheDepthOfATightBoltWhoseHeadLiesOnTheCover) {
+  const TopoDS_Shape cover =
+      BRepAlgoAPI_Cut(box(-10, -10, 0, 20, 20, 6), rod(0, 0, -5, 3, 20)).Shape();
+  const TopoDS_Shape bolt = BRepAlgoAPI_Fuse(rod(0, 0, -8, 3.02, 14), rod(0, 0, 6, 5, 3)).Shape();
+  const std::string file = file_of({{"Cover", cover}, {"Bolt", bolt}}, "bolt.step");
+
+  const json common = report_of({"clash", file})["pairs"][0]["common"];
+  EXPECT_NEAR(common["depth"][0], 0.02, 1e-6);
+  EXPECT_LE(common["depth"][1], 0.0203);
 }
 
 TEST_F(ClashCommand, TellsWhereASheetCrossesASolid) {
