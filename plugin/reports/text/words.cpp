@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <regex>
 
 namespace blossom::reports {
 namespace {
@@ -22,7 +23,58 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return d[a.size()][b.size()];
 }
 
+constexpr std::size_t kFewEdges = 4;  // that are named of those of one kind
+
+/// Findings that differ in numbers and places alone.
+struct FindingKind {
+  std::string words, first;
+  std::vector<std::string> edges{};  // of the others
+  std::size_t others = 0;
+};
+
+std::string without_numbers(const std::string& finding) {
+  static const std::regex number("\\b(edge|face) [0-9]+\\b"), place("\\([-+.,e0-9 ]+\\)");
+  return std::regex_replace(std::regex_replace(finding, number, "$1"), place, "()");
+}
+
+std::string first_edge(const std::string& finding) {
+  static const std::regex edge("\\bedge ([0-9]+)\\b");
+  std::smatch found;
+  return std::regex_search(finding, found, edge) ? found[1].str() : std::string();
+}
+
+std::string likewise(const FindingKind& kind) {
+  if (kind.edges.size() < kind.others) return "; likewise " + std::to_string(kind.others) + " more";
+  std::string text = kind.others == 1 ? "; likewise edge " : "; likewise edges ";
+  const std::size_t named = kind.others == kFewEdges + 1 ? kind.others : kFewEdges;
+  for (std::size_t i = 0; i < std::min(named, kind.others); ++i) {
+    const bool last = i > 0 && i + 1 == kind.others;
+    text += (i == 0 ? "" : last ? " and " : ", ") + kind.edges[i];
+  }
+  if (kind.others > named) text += " and " + std::to_string(kind.others - named) + " more";
+  return text;
+}
+
 }  // namespace
+
+std::vector<std::string> by_kind(const std::vector<std::string>& findings) {
+  std::vector<FindingKind> kinds;
+  for (const std::string& finding : findings) {
+    const std::string words = without_numbers(finding);
+    const auto known = std::ranges::find(kinds, words, &FindingKind::words);
+    if (known == kinds.end()) {
+      kinds.push_back({words, finding});
+      continue;
+    }
+    ++known->others;
+    const std::string edge = first_edge(finding);
+    if (!edge.empty()) known->edges.push_back(edge);
+  }
+  std::vector<std::string> lines;
+  for (const FindingKind& kind : kinds)
+    lines.push_back(kind.first + (kind.others > 0 ? likewise(kind) : ""));
+  return lines;
+}
 
 std::string listed(const std::vector<std::string>& words, const std::string& last) {
   std::string text;

@@ -24,6 +24,7 @@
 
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/shapes.h"
+#include "plugin/reports/text/words.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::testing {
@@ -141,6 +142,31 @@ TEST_F(BlendFillet, LeavesOutWhatHasNothingToRoundAndSaysSo) {
   const Finished all = fillet({path("pin.step"), "--edges", "all", "--radius", "1"});
   EXPECT_EQ(all.code, 0) << all.err;
   EXPECT_NE(all.out.find("  nothing to blend at 1 seam edge\n"), std::string::npos) << all.out;
+}
+
+// A pin has three edges, and both rims one reason.
+TEST_F(BlendFillet, PrintsALineForEachReasonAndAllOfThemIfVerbose) {
+  EXPECT_EQ(
+      reports::by_kind({"edge 1: leans on edge 9, at (1, -2.5, 1e-05)", "another",
+                        "edge 3: leans on edge 4, at (0, 0, 0)",
+                        "edge 12: leans on edge 1, at (0, 7, 0)"}),
+      (std::vector<std::string>{
+          "edge 1: leans on edge 9, at (1, -2.5, 1e-05); likewise edges 3 and 12", "another"}));
+  std::vector<std::string> many;
+  for (int i = 1; i <= 40; ++i) many.push_back("edge " + std::to_string(i) + ": too tight");
+  EXPECT_EQ(reports::by_kind(many),
+            (std::vector<std::string>{"edge 1: too tight; likewise edges 2, 3, 4, 5 and 35 more"}));
+
+  std::vector<std::string> command{path("box.step"), "--edges", "1-4",           "--radius", "11",
+                                   "--partial",      "--json",  path("all.json")};
+  const auto lines = [](const Finished& ran) { return std::ranges::count(ran.out, '\n'); };
+  const Finished few = fillet(command);
+  command.emplace_back("-v");
+  const Finished all = fillet(command);
+  EXPECT_LT(lines(few), lines(all)) << few.out << all.out;
+  EXPECT_NE(few.out.find("; likewise edge"), std::string::npos) << few.out;
+  std::ifstream file(path("all.json"));
+  EXPECT_EQ(nlohmann::json::parse(file)["refused"].size(), 4U);
 }
 
 TEST_F(BlendFillet, RefusesBadUsage) {

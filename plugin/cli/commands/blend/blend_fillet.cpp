@@ -30,6 +30,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
+#include "plugin/cli/output/verbosity.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
@@ -37,6 +38,7 @@
 #include "plugin/reports/blends/fillet.h"
 #include "plugin/reports/models/entity_words.h"
 #include "plugin/reports/models/selection.h"
+#include "plugin/reports/text/words.h"
 
 namespace blossom::cli {
 namespace {
@@ -139,11 +141,13 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
          << number_text(rounded(std::abs(more))) << (more < 0 ? " less" : " more")
          << " than before\n";
   }
-  for (const std::string& note : made.notes) text << "  " << note << "\n";
+  std::vector<std::string> findings = made.notes;
   // Where nothing was made, the first is on stderr.
   const std::size_t told = made.solids.empty() && !reports::is_unchanged(made) ? 1 : 0;
   for (std::size_t i = told; i < made.refused.size(); ++i)
-    text << "  " << made.refused[i].text() << "\n";
+    findings.push_back(made.refused[i].text());
+  if (verbosity() != Verbosity::Verbose) findings = reports::by_kind(findings);
+  for (const std::string& finding : findings) text << "  " << finding << "\n";
   return text.str();
 }
 
