@@ -15,26 +15,26 @@
 namespace blossom::occt {
 namespace {
 
-// Relative, below a limit: at it edges of planes and cylinders can still be
-// rounded, but elsewhere a contact would run along a border, or a section have
-// no length; the last where what is left between is below the tolerances of the
-// model.
+// Relative, below a limit: at it edges of planes and cylinders can still be rounded, but elsewhere
+// a contact would run along a border, or a section have no length; the last where what is left
+// between is below the tolerances of the model.
 constexpr double kJustBelow[] = {0, 2e-8, 1e-6, 1e-3};
 constexpr double kJustAbove = 1e-3;  // relative: what works there was not stopped by the limit
 constexpr int kMaxLimits = 4;        // of the edges of one run, one after the other
 constexpr int kMaxMeetings = 4;      // steps to where blends meet in an edge
-// Rungs of the ladder for an octave, and where they lie in it: at no round
-// number, as sizes of parts and so radii at which things just touch mostly are.
+// Rungs of the ladder for an octave, and where they lie in it: at no round number, as sizes of
+// parts and so radii at which things just touch mostly are.
 constexpr int kRungs = 2;
 constexpr double kRungOffset = 0.125;
 constexpr int kMaxRises = 4 * kRungs;   // larger that do not work either: to 16 times
 constexpr int kMaxFalls = 10 * kRungs;  // smaller: a thousandth
-// Ratios of brackets' ends: where balls roll, and where edges are rounded,
-// which takes longer.
+// Ratios of brackets' ends: where balls roll or a few edges are rounded, and where more are, which
+// takes longer.
 constexpr double kRolled = 1 + 1e-6;
 constexpr double kRounded = 1 + 1e-3;
-// Edges that are rounded until the bracket is left as it is, some seconds of
-// work, and beside them all edges so many times, however many they are.
+constexpr std::size_t kFewEdges = 4;
+// Edges that are rounded until the bracket is left as it is, some seconds of work, and beside them
+// all edges so many times, however many they are.
 constexpr std::size_t kMaxEdges = 1000;
 constexpr std::size_t kMaxWhole = 2;
 constexpr std::size_t kRollsInWork = 4;  // that cost about as much as one edge that is rounded
@@ -51,6 +51,11 @@ std::size_t edge_count(const Chains& chains) {
   std::size_t count = 0;
   for (const FilletEdges& chain : chains) count += chain.size();
   return count;
+}
+
+// Of the ends of a bracket that rounding closes.
+double rounding_ratio(const Chains& chains) {
+  return edge_count(chains) > kFewEdges ? kRounded : kRolled;
 }
 
 /// What is near an edge, rounded alone.
@@ -123,8 +128,7 @@ class RadiusSearch {
   double works_ = 0;  // the largest with which all were rounded
 };
 
-// Whether balls roll along the edges: much less work, and all that is wrong
-// with most radii.
+// Whether balls roll along the edges: much less work, and all that is wrong with most radii.
 std::optional<FilletRefusal> RadiusSearch::roll(const Chains& chains, double radius) {
   rolled_ += edge_count(chains);
   return roll_attempt(work_, chains, radius);
@@ -144,10 +148,9 @@ const FilletEdges* RadiusSearch::run_of(int edge) const {
   return found == runs_.end() ? nullptr : &*found;
 }
 
-// The highest rung below one at which balls roll along a run, in steps that
-// grow and then are halved. Where faces turn over at an end of an edge the
-// contact of a small ball is lost in them, and that of a larger one passes: so
-// if there is none the ones above are looked at.
+// The highest rung below one at which balls roll along a run, in steps that grow and then are
+// halved. Where faces turn over at an end of an edge the contact of a small ball is lost in them,
+// and that of a larger one passes: so if there is none the ones above are looked at.
 std::optional<int> RadiusSearch::rung_that_rolls(const FilletEdges& run, int below) {
   int fails = below;
   std::optional<int> rolls;
@@ -227,9 +230,8 @@ bool RadiusSearch::follow_limits(Trial trial, const Chains& chains, Bound& bound
   return false;
 }
 
-// Whether blends that take too much of an edge together can be made where they
-// just meet, or just below that: what they take grows with the radius, in
-// planes just so.
+// Whether blends that take too much of an edge together can be made where they just meet, or just
+// below that: what they take grows with the radius, in planes just so.
 bool RadiusSearch::follow_meetings(const Chains& chains, Bound& bound) {
   for (int i = 0; i < kMaxMeetings && bound.why.fits < 1 && may_go_on(); ++i) {
     const double meeting = bound.why.fits * bound.fails;
@@ -267,8 +269,8 @@ NearTrial RadiusSearch::near_trial(int edge, double radius) {
   return {is_known, std::move(why), std::move(near.chains)};
 }
 
-// The largest radius with which what is near the fault works alone, if alone it
-// works and fails as all do together.
+// The largest radius with which what is near the fault works alone, if alone it works and fails as
+// all do together.
 std::optional<Bound> RadiusSearch::alone(const Bound& of) {
   const FilletEdges* const run = run_of(of.why.edge);
   if (!run) return std::nullopt;
@@ -288,13 +290,13 @@ std::optional<Bound> RadiusSearch::alone(const Bound& of) {
   bound.radius = of.radius;
   bound.fails = of.fails;
   bound.stopped.clear();
-  close(&RadiusSearch::round, near.chains, kRounded, bound);
+  close(&RadiusSearch::round, near.chains, rounding_ratio(near.chains), bound);
   if (bound.radius == of.radius && round(near.chains, of.radius)) return std::nullopt;
   return bound;
 }
 
-// Whether all are rounded where some are stopped, or just below that; what
-// fails there is the next to be looked at.
+// Whether all are rounded where some are stopped, or just below that; what fails there is the next
+// to be looked at.
 bool RadiusSearch::rounds_at(const Bound& of, Bound& whole) {
   const FilletEdges* const run = run_of(of.why.edge);
   for (const double below : kJustBelow) {
@@ -326,7 +328,7 @@ bool RadiusSearch::close_near(int number, Bound& bound) {
   }
   if (!trial.why) return false;
   near.why = *std::move(trial.why);
-  close(&RadiusSearch::round, trial.chains, kRounded, near);
+  close(&RadiusSearch::round, trial.chains, rounding_ratio(trial.chains), near);
   return rounds_at(near, bound);
 }
 
@@ -349,8 +351,7 @@ bool RadiusSearch::go_down(int number, Bound& bound) {
   return false;
 }
 
-// From above the first rungs to where all are rounded, and on to where they are
-// no more.
+// From above the first rungs to where all are rounded, and on to where they are no more.
 bool RadiusSearch::go_up(Bound& bound) {
   for (int i = first_ + 2, failed = 0; failed < kMaxRises && may_go_on(); ++i) {
     auto why = round(chains_, rung(i));
@@ -374,7 +375,7 @@ std::optional<LargestFillet> RadiusSearch::searched() {
   if (!go_down(*first, bound) || std::isinf(bound.fails))
     if (!go_up(bound)) return std::nullopt;
   while (bound.stopped.empty() && std::isfinite(bound.fails) &&
-         bound.fails > kRounded * bound.radius && may_go_on()) {
+         bound.fails > rounding_ratio(chains_) * bound.radius && may_go_on()) {
     if (const auto next = alone(bound)) {
       rounds_at(*next, bound);
       continue;

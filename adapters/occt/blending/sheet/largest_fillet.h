@@ -29,7 +29,8 @@ struct LargestFillet {
 ///
 /// Balls stop where a condition has its solution (`fillet_limit`), to 1e-8 of the radius, or else
 /// where rolling tells, to 1e-6; blends meet where the share of an edge that they take tells; the
-/// rest is told by rounding, to 1e-3: a larger radius fails for what is near some place.
+/// rest is told by rounding, to 1e-3, or 1e-6 of up to four edges: a larger radius fails for what
+/// is near some place.
 ///
 /// chains   rounded together
 /// why      they cannot be rounded by `radius`
