@@ -71,8 +71,7 @@ std::shared_ptr<occt::Model> model_of(const std::filesystem::path& file) {
 }
 
 constexpr const char* kTakesEdges =
-    "; 'blossom intersect', 'trim --solid', 'query distance' and 'query plane' take edges and "
-    "wires";
+    "; 'intersect' of two models, 'trim --solid', 'query distance' and 'query plane' take edges";
 
 // Each once, in increasing order.
 std::vector<int> chosen_numbers(const InputName& name, const TopoDS_Shape& all, int count,

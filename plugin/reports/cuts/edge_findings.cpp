@@ -7,6 +7,8 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/base/compounds.h"
@@ -95,8 +97,15 @@ std::vector<TopoDS_Edge> edges_to_intersect(const Input& input) {
   return edges_without_faces(input);
 }
 
-std::size_t edges_left_out(const Input& input) {
-  return edges_without_faces(input).size() - edges_to_intersect(input).size();
+std::vector<int> edges_left_out(const Input& input) {
+  std::vector<int> numbers;
+  if (!edges_to_intersect(input).empty()) return numbers;
+  const std::vector<TopoDS_Edge> others = edges_without_faces(input);
+  if (others.empty()) return numbers;
+  TopTools_IndexedMapOfShape all;
+  TopExp::MapShapes(input.model.shape(), TopAbs_EDGE, all);
+  for (const TopoDS_Edge& edge : others) numbers.push_back(all.FindIndex(edge));
+  return numbers;
 }
 
 double EdgeFindings::length() const {

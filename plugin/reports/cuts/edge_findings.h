@@ -21,8 +21,8 @@ namespace blossom::reports {
 /// without faces.
 std::vector<TopoDS_Edge> edges_to_intersect(const Input& input);
 
-/// How many edges without faces an input has that are not among these.
-std::size_t edges_left_out(const Input& input);
+/// The numbers of edges without faces that an input has beside these.
+std::vector<int> edges_left_out(const Input& input);
 
 struct EdgesOf {
   std::vector<TopoDS_Edge> edges{};

@@ -10,8 +10,10 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
 #include <gp_Circ.hxx>
 #include <nlohmann/json.hpp>
 
@@ -115,6 +117,23 @@ TEST_F(IntersectEdgesCommand, WhatLiesOnAFaceIsToldWithItsLength) {
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(again.shape(), TopAbs_EDGE, edges);
   EXPECT_EQ(edges.Extent(), 1);
+}
+
+TEST_F(IntersectEdgesCommand, EdgesBesideFacesCountWhereTheyAreNamed) {
+  TopoDS_Compound both;
+  const BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(20, 0, 0), 4., 4., 4.).Shape());
+  builder.Add(both, BRepBuilderAPI_MakeEdge(gp_Pnt(1, 1, -5), gp_Pnt(1, 1, 9)).Edge());
+  write("mixed.step", "Mixed", both);
+
+  const Finished all = run("mixed.step", "cube.step");
+  EXPECT_TRUE(holds(all.err, "1 edge without faces left out; name it to intersect it, as #edge:13"))
+      << all.err;
+  EXPECT_TRUE(holds(all.out, "no curve and no point")) << all.out;
+  const Finished named = run("mixed.step#edge:13", "cube.step");
+  EXPECT_EQ(named.err, "");
+  EXPECT_TRUE(holds(named.out, "complete, 2 points")) << named.out;
 }
 
 TEST_F(IntersectEdgesCommand, CurvesMeetCurves) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
@@ -46,9 +47,11 @@ Input input_to_intersect(const std::string& name) {
       read_usable_input(name, Faces::Optional, reports::Repairing::Used, reports::LooseFaces::Kept);
   if (input.faces.empty() && reports::edges_to_intersect(input).empty())
     throw occt::BadModel(input.name + ": there is no face and no edge in it");
-  if (const std::size_t others = reports::edges_left_out(input); others > 0)
-    note(input.name + ": " + counted(others, "edge") +
-         " without faces left out; those that are named, as edge:1, are looked at");
+  if (const std::vector<int> others = reports::edges_left_out(input); !others.empty()) {
+    const std::string them = others.size() == 1 ? "it" : "them";
+    note(input.name + ": " + counted(others.size(), "edge") + " without faces left out; name " +
+         them + " to intersect " + them + ", as #edge:" + std::to_string(others.front()));
+  }
   return input;
 }
 
