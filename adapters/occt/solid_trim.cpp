@@ -68,7 +68,8 @@ struct LayerWork {
   ConeVolumes& cones;
   TopTools_MapOfShape valid;  // faces that need not be checked
   double stated;              // by corners: what is nearer is one
-  SolidTrimResult told;       // no solids
+  const InputFaceNames& names;
+  SolidTrimResult told;  // no solids
 
   bool is_refused() const { return !told.obstacles.empty(); }
   /// Of two solids; the faces of the result come from where those of the two do.
@@ -104,19 +105,20 @@ SolidTrimResult LayerWork::folded(LabelledSolid layer, std::span<const LabelledS
   for (std::size_t i = 0; i < tools.size(); ++i) {
     made = step(layer, tools[i], operation);
     if (is_refused() || made.solids.empty()) break;
-    if (i + 1 < tools.size()) layer = labelled(made.solids, made.faces);
+    if (i + 1 < tools.size()) layer = labelled(made.solids, made.faces, names);
   }
   return made;
 }
 
 // One solid of a result with the origins of its faces.
-LabelledSolid piece_of(const SolidTrimResult& made, const TopoDS_Solid& solid) {
+LabelledSolid piece_of(const SolidTrimResult& made, const TopoDS_Solid& solid,
+                       const InputFaceNames& names) {
   TopTools_IndexedMapOfShape own;
   TopExp::MapShapes(solid, TopAbs_FACE, own);
   std::vector<SolidFace> known;
   std::ranges::copy_if(made.faces, std::back_inserter(known),
                        [&](const SolidFace& face) { return own.RemoveKey(face.face); });
-  return labelled({solid}, known);
+  return labelled({solid}, known, names);
 }
 
 // Pieces have faces in common, so each is worked on by itself.
@@ -132,7 +134,7 @@ SolidTrimResult LayerWork::split(const LabelledSolid& layer, std::span<const Lab
     }
     pieces.clear();
     if (i + 1 < tools.size())
-      for (const TopoDS_Solid& solid : made.solids) pieces.push_back(piece_of(made, solid));
+      for (const TopoDS_Solid& solid : made.solids) pieces.push_back(piece_of(made, solid, names));
   }
   return made;
 }
@@ -144,7 +146,8 @@ SolidTrimResult LayerWork::common(const LabelledSolid& layer,
     const SolidTrimResult made = step(layer, tool, SolidOperation::Common);
     if (is_refused()) break;
     if (made.solids.empty()) continue;
-    append(tools.size() == 1 ? made : common(labelled(made.solids, made.faces), tools.subspan(1)),
+    append(tools.size() == 1 ? made
+                             : common(labelled(made.solids, made.faces, names), tools.subspan(1)),
            all);
   }
   return all;
@@ -156,7 +159,7 @@ LabelledSolid fused(const LabelledSolids& layers, LayerWork& work) {
   if (layers.size() == 1) return layers.front();
   const SolidTrimResult made =
       work.folded(layers.front(), std::span(layers).subspan(1), SolidOperation::Fuse);
-  return work.is_refused() ? LabelledSolid{} : labelled(made.solids, made.faces);
+  return work.is_refused() ? LabelledSolid{} : labelled(made.solids, made.faces, work.names);
 }
 
 LabelledSolids each_fused(const std::vector<LabelledSolids>& inputs, LayerWork& work) {
@@ -244,10 +247,11 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
   SolidTrimResult result;
   try {
     const TrueInputs sound(part, tools, own_limit);
-    LabelledInputs inputs(sound.part(), sound.tools(), std::max(options.tolerances.point, stated),
-                          limit);
+    const InputFaceNames names = names_of_faces(part, tools);
+    LabelledInputs inputs(sound.part(), sound.tools(), names,
+                          std::max(options.tolerances.point, stated), limit);
     ConeVolumes cones(cone_apex(sound.part()));
-    LayerWork work{limit, cones, faces_of(part, tools), stated, {}};
+    LayerWork work{limit, cones, faces_of(part, tools), stated, names, {}};
     result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
                                                : divided(inputs, operation, work);
     add_facts(work.told, result);

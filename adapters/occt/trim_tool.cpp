@@ -98,6 +98,12 @@ TrimTool trim_tool(const TopoDS_Shape& shape) {
   return tool;
 }
 
+std::string face_name(const TrimTool& of, std::size_t face, const std::string& owner) {
+  if (!of.face_names.empty()) return of.face_names[face];
+  const int place = of.places.empty() ? static_cast<int>(face) : of.places[face];
+  return "face " + std::to_string(place + 1) + " of " + owner;
+}
+
 std::string describe_loose_faces(const TrimTool& tool, const std::string& name) {
   if (tool.loose == 0) return {};
   return std::to_string(tool.loose) + (tool.loose == 1 ? " face of " : " faces of ") + name +

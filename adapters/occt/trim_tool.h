@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,9 @@ struct TrimTool {
   std::vector<TopoDS_Solid> solids;  ///< those that the faces bound; empty for an open tool
   std::string name{};                ///< in messages; empty: "the part" or "the tool"
   std::vector<int>
-      places{};          ///< of the faces among all of the shape, from 0; empty if they are all
-  int loose = 0;         ///< faces of the shape that are none of these: see `trim_tool`
+      places{};   ///< of the faces among all of the shape, from 0; empty if they are all
+  int loose = 0;  ///< faces of the shape that are none of these: see `trim_tool`
+  std::vector<std::string> face_names{};  ///< in messages; empty: by `places`
   TopoDS_Shape wires{};  ///< a shape of edges and vertices without any face; else null
 
   bool is_solid() const { return !solids.empty(); }
@@ -35,6 +37,10 @@ bool is_closed_solid(const TopoDS_Shape& solid);
 ///
 /// throws   BadModel if faces of a closed solid are turned differently, or all inwards
 TrimTool trim_tool(const TopoDS_Shape& shape);
+
+/// What a face is called in messages: "face 3 of the part".
+/// owner   "the part", where its faces have no names
+std::string face_name(const TrimTool& of, std::size_t face, const std::string& owner);
 
 /// What is to be told of loose faces; empty if there are none.
 std::string describe_loose_faces(const TrimTool& tool, const std::string& name);

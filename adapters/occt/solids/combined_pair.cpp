@@ -60,18 +60,20 @@ double volume_of(const TrimTool& solid, ConeVolumes& cones, const WorkLimit& lim
 }
 
 // What cannot be measured was not divided well: its wires may be open.
-double volume_of(const SolidPiece& piece, ConeVolumes& cones) try {
+double volume_of(const SolidPiece& piece, const TrimTool& of, const char* owner,
+                 ConeVolumes& cones) try {
   return cones.of(piece.face);
 } catch (const BadModel& error) {
-  throw Failure("a piece of face " + std::to_string(piece.from + 1) + ": " + error.what());
+  throw Failure("a piece of " + face_name(of, static_cast<std::size_t>(piece.from), owner) + ": " +
+                error.what());
 }
 
-std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, ConeVolumes& cones,
-                               const WorkLimit& limit) {
+std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const TrimTool& of,
+                               const char* owner, ConeVolumes& cones, const WorkLimit& limit) {
   std::vector<Measured> all;
   for (const SolidPiece& piece : pieces) {
     check_limit(&limit, kMeasuring);
-    all.push_back({piece, volume_of(piece, cones)});
+    all.push_back({piece, volume_of(piece, of, owner, cones)});
   }
   return all;
 }
@@ -136,8 +138,8 @@ void put_together(const SolidPieces& pieces, const TrimTool& part, const TrimToo
                   SolidOperation operation, ConeVolumes& cones, const WorkLimit& limit,
                   SolidTrimResult& result) {
   const double of_part = volume_of(part, cones, limit), of_tool = volume_of(tool, cones, limit);
-  const Results made =
-      results_of(measured(pieces.a, cones, limit), measured(pieces.b, cones, limit));
+  const Results made = results_of(measured(pieces.a, part, "the part", cones, limit),
+                                  measured(pieces.b, tool, "the tool", cones, limit));
   const SolidVolumes volumes{of_part, of_tool, made.cut.volume(), made.common.volume(),
                              made.fuse.volume()};
   result.volumes.push_back(volumes);

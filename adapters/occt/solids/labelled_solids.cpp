@@ -12,20 +12,37 @@
 
 namespace blossom::occt {
 
-LabelledSolid labelled(const std::vector<TopoDS_Solid>& solids,
-                       const std::vector<SolidFace>& known) {
+InputFaceNames names_of_faces(const TrimTool& part, const std::vector<TrimTool>& tools) {
+  InputFaceNames names;
+  const auto add = [&](const TrimTool& input, const std::string& owner) {
+    std::vector<std::string>& own = names.emplace_back();
+    for (std::size_t face = 0; face < input.faces.size(); ++face)
+      own.push_back(face_name(input, face, owner));
+  };
+  add(part, "the part");
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    add(tools[i], tools.size() == 1 ? "the tool" : "tool " + std::to_string(i + 1));
+  return names;
+}
+
+LabelledSolid labelled(const std::vector<TopoDS_Solid>& solids, const std::vector<SolidFace>& known,
+                       const InputFaceNames& names) {
   TopTools_IndexedMapOfShape numbers;
   for (const SolidFace& face : known) numbers.Add(face.face);
   LabelledSolid made{solid_tool(solids), {}};
   for (const TopoDS_Face& face : made.solid.faces) {
     const SolidFace& origin = known[static_cast<std::size_t>(numbers.FindIndex(face)) - 1];
     made.faces.push_back({face, origin.tool, origin.from});
+    made.solid.face_names.push_back(
+        names[static_cast<std::size_t>(origin.tool + 1)][static_cast<std::size_t>(origin.from)]);
   }
   return made;
 }
 
 LabelledInputs::LabelledInputs(const TrimTool& part, const std::vector<TrimTool>& tools,
-                               double tolerance, const SharedLimit& limit) {
+                               const InputFaceNames& names, double tolerance,
+                               const SharedLimit& limit)
+    : names_(names) {
   const auto add = [this](const TrimTool& input) {
     const int tool = static_cast<int>(faces_.size()) - 1;
     std::vector<SolidFace>& faces = faces_.emplace_back();
@@ -53,7 +70,7 @@ LabelledSolids LabelledInputs::layers_of(const SolidPlaces& places, int input) {
   for (const SolidPlaces& layer : contacts_->layers(own)) {
     std::vector<TopoDS_Solid> solids;
     for (const std::size_t place : layer) solids.push_back(solids_[place]);
-    made.push_back(labelled(solids, faces_[static_cast<std::size_t>(input)]));
+    made.push_back(labelled(solids, faces_[static_cast<std::size_t>(input)], names_));
   }
   return made;
 }
@@ -87,7 +104,7 @@ LabelledSolids LabelledInputs::gathered_tools() {
   for (const Group& group : groups) {
     std::vector<TopoDS_Solid> solids;
     for (const std::size_t place : group.places) solids.push_back(solids_[place]);
-    made.push_back(labelled(solids, group.known));
+    made.push_back(labelled(solids, group.known, names_));
   }
   return made;
 }

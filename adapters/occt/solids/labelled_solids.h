@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "adapters/occt/solid_trim.h"
@@ -18,17 +19,22 @@ struct LabelledSolid {
 };
 using LabelledSolids = std::vector<LabelledSolid>;
 
-/// Closed solids, turned outwards, whose faces are among known ones.
-LabelledSolid labelled(const std::vector<TopoDS_Solid>& solids,
-                       const std::vector<SolidFace>& known);
+/// What the faces of the inputs are called in messages: of the part, and of each tool.
+using InputFaceNames = std::vector<std::vector<std::string>>;
+InputFaceNames names_of_faces(const TrimTool& part, const std::vector<TrimTool>& tools);
+
+/// Closed solids, turned outwards, whose faces are among known ones and are called what those are.
+LabelledSolid labelled(const std::vector<TopoDS_Solid>& solids, const std::vector<SolidFace>& known,
+                       const InputFaceNames& names);
 
 /// The part and the tools of an operation, in layers of solids that touch none of their layer:
 /// where two solids of one input touch, faces of another one would be cut twice in the same place.
 class LabelledInputs {
  public:
+  /// names              kept
   /// tolerance, limit   as of SolidContacts
-  LabelledInputs(const TrimTool& part, const std::vector<TrimTool>& tools, double tolerance,
-                 const SharedLimit& limit);
+  LabelledInputs(const TrimTool& part, const std::vector<TrimTool>& tools,
+                 const InputFaceNames& names, double tolerance, const SharedLimit& limit);
 
   const LabelledSolids& part() const { return layers_.front(); }
   std::vector<LabelledSolids> tools() const { return {layers_.begin() + 1, layers_.end()}; }
@@ -46,6 +52,7 @@ class LabelledInputs {
  private:
   LabelledSolids layers_of(const SolidPlaces& places, int input);
 
+  const InputFaceNames& names_;
   std::vector<TopoDS_Solid> solids_;           // of all inputs
   std::vector<int> input_;                     // of each
   std::vector<std::vector<SolidFace>> faces_;  // of each input

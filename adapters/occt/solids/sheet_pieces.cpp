@@ -28,16 +28,17 @@ bool is_left(SolidSide side, const TrimTool& tool, SolidOperation operation) {
   return operation != SolidOperation::Common || within;
 }
 
-double area_of(const SolidPiece& piece) try {
+double area_of(const SolidPiece& piece, const TrimTool& of, const char* owner) try {
   return area(piece.face);
 } catch (const BadModel& error) {
-  throw Failure("a piece of face " + std::to_string(piece.from + 1) + ": " + error.what());
+  throw Failure("a piece of " + face_name(of, static_cast<std::size_t>(piece.from), owner) + ": " +
+                error.what());
 }
 
-bool areas_add_up(const std::vector<SolidPiece>& pieces, const std::vector<TopoDS_Face>& faces) {
+bool areas_add_up(const std::vector<SolidPiece>& pieces, const TrimTool& of, const char* owner) {
   double whole = 0, sum = 0;
-  for (const TopoDS_Face& face : faces) whole += area(face);
-  for (const SolidPiece& piece : pieces) sum += area_of(piece);
+  for (const TopoDS_Face& face : of.faces) whole += area(face);
+  for (const SolidPiece& piece : pieces) sum += area_of(piece, of, owner);
   return std::abs(sum - whole) <= kVolumeError * whole;
 }
 
@@ -52,7 +53,8 @@ void take_sheet_pieces(const SolidPieces& pieces, const TrimTool& part, const Tr
   if (fuse)
     for (const SolidPiece& piece : pieces.b)
       if (!lies_on_other(piece.side)) result.faces.push_back({piece.face, 0, piece.from});
-  if (!areas_add_up(pieces.a, part.faces) || (fuse && !areas_add_up(pieces.b, tool.faces)))
+  if (!areas_add_up(pieces.a, part, "the part") ||
+      (fuse && !areas_add_up(pieces.b, tool, "the tool")))
     result.obstacles.emplace_back("the areas do not add up");
 }
 

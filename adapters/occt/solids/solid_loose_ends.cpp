@@ -74,8 +74,8 @@ class Search {
   Search(const std::vector<CrossingCurve>& curves, const std::array<CrossedSolid, 2>& solids)
       : curves_(curves), solids_(solids) {
     for (const std::size_t side : {0u, 1u}) {
-      edges_[side].resize(solids[side].faces->size());
-      ends_[side].resize(solids[side].faces->size());
+      edges_[side].resize(solids[side].solid->faces.size());
+      ends_[side].resize(solids[side].solid->faces.size());
       for (std::size_t curve = 0; curve < curves.size(); ++curve)
         for (const std::size_t end : {0u, 1u})
           ends_[side][curves[curve].faces[side]].push_back({curve, end});
@@ -97,7 +97,7 @@ class Search {
   const std::vector<BoxedEdge>& edges(std::size_t curve, std::size_t side) {
     const std::size_t face = curves_[curve].faces[side];
     auto& known = edges_[side][face];
-    if (!known) known = boxed_edges((*solids_[side].faces)[face]);
+    if (!known) known = boxed_edges(solids_[side].solid->faces[face]);
     return *known;
   }
 
@@ -125,8 +125,8 @@ class Search {
   }
 
   std::string name(std::size_t curve, std::size_t side) const {
-    return "face " + std::to_string(curves_[curve].faces[side] + 1) + " of the " +
-           solids_[side].name;
+    const CrossedSolid& of = solids_[side];
+    return face_name(*of.solid, curves_[curve].faces[side], "the " + of.name);
   }
 
   void tell(std::size_t curve, std::size_t side, const Vec3& point, const TopoDS_Edge& edge) {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
 
+#include "adapters/occt/trim_tool.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {
@@ -27,7 +27,7 @@ struct CrossingCurve {
 
 struct CrossedSolid {
   std::string name;
-  const std::vector<TopoDS_Face>* faces = nullptr;
+  const TrimTool* solid = nullptr;
   /// By face: edges of the other solid that lie in it, which curves may go on with.
   const std::vector<std::vector<TopoDS_Edge>>* lying = nullptr;
 };

@@ -45,7 +45,7 @@ struct Side {
   Side(const char* word, const TrimTool& of)
       : name(word), solid(&of), faces(of.faces.begin(), of.faces.end()), curves(of.faces.size()) {}
   std::string face_name(std::size_t face) const {
-    return "face " + std::to_string(face + 1) + " of the " + name;
+    return occt::face_name(*solid, face, std::string("the ") + name);
   }
 };
 
@@ -361,8 +361,8 @@ std::vector<std::string> told_loose_ends(const Pending& untold, const TrimTool& 
                                          const TrimTool& b) try {
   if (untold.curves.empty()) return {};
   return guarded("telling where cuts break off", [&] {
-    return loose_ends(untold.curves, {CrossedSolid{"part", &a.faces, &untold.lying[0]},
-                                      CrossedSolid{"tool", &b.faces, &untold.lying[1]}});
+    return loose_ends(untold.curves, {CrossedSolid{"part", &a, &untold.lying[0]},
+                                      CrossedSolid{"tool", &b, &untold.lying[1]}});
   });
 } catch (const Failure&) {
   return {};  // what is told without it stands

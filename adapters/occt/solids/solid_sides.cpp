@@ -30,7 +30,8 @@ namespace {
 constexpr const char* kFindingSides = "finding sides";
 
 std::string piece_name(const SplitSolid& of, const SolidPiece& piece) {
-  return "a piece of face " + std::to_string(piece.from + 1) + " of the " + of.name;
+  return "a piece of " +
+         face_name(*of.solid, static_cast<std::size_t>(piece.from), std::string("the ") + of.name);
 }
 
 // --- pieces that coincide
@@ -131,8 +132,9 @@ void check_unmatched(const SplitSolid& of, const std::vector<std::vector<std::si
     const auto& faces = over[static_cast<std::size_t>(piece.from)];
     for (const std::size_t face : faces)
       if (lies_on(piece.face, other.solid->faces[face], kLiesReach * tolerance))
-        obstacles.push_back(piece_name(of, piece) + " coincides with face " +
-                            std::to_string(face + 1) + " of the " + other.name + " only in part");
+        obstacles.push_back(piece_name(of, piece) + " coincides with " +
+                            face_name(*other.solid, face, std::string("the ") + other.name) +
+                            " only in part");
   }
 }
 
