@@ -21,7 +21,7 @@ def first_steps():
     look(document)
     FreeCADGui.runCommand("Blossom_Intersection")
     yield lambda: "Take selection" in said()
-    claim("a panel has its own words", said().startswith("Faces: a face is wanted"))
+    claim("a panel has its own words", said().startswith("Faces: a face or an edge is wanted"))
     press("Cancel")
     select(document, ("Block", ""))
     FreeCADGui.runCommand("Blossom_Section")

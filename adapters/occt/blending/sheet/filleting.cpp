@@ -249,17 +249,18 @@ Filleting::Renamed Filleting::renamed(const Filleting& next, const Grouped& done
   TopTools_IndexedMapOfShape numbers;
   TopExp::MapShapes(done.made.solid, TopAbs_EDGE, numbers);
   for (const auto& [edge, concave] : group) {
+    const FilletRefused consumed({FilletFault::EdgeConsumed,
+                                  edge,
+                                  "blends of other edges take it away",
+                                  std::nullopt,
+                                  std::nullopt,
+                                  {}});
     std::vector<TopoDS_Edge> left{body_.edge(edge)};
     if (const auto known = done.edges.find(edge); known != done.edges.end()) left = known->second;
+    if (left.empty()) throw consumed;
     for (const TopoDS_Edge& each : left) {
       const int number = numbers.FindIndex(each);
-      if (number == 0)
-        throw FilletRefused({FilletFault::EdgeConsumed,
-                             edge,
-                             "blends of other edges take it away",
-                             std::nullopt,
-                             std::nullopt,
-                             {}});
+      if (number == 0) throw consumed;
       renamed.of.emplace(number, edge);
       if (const auto own = options_.own.find(edge); own != options_.own.end())
         renamed.own.emplace(number, own->second);
