@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/curve_queries.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,12 +23,23 @@ double approximation(const IntersectionOptions& options) {
 
 enum class Side { Inside, Border, Outside };
 
+// Whether the face goes on beyond an edge, which it uses twice, as a closed surface's seam.
+bool is_seam(const FaceTrims& trims, int edge) {
+  std::ptrdiff_t uses = 0;
+  for (const auto& loop : trims.loops) uses += std::ranges::count(loop, edge, &Coedge::edge);
+  return uses > 1;
+}
+
 Side side_of(const FaceTrims& trims, const Vec2& uv, double tolerance) {
   const Vec2 point{uv[0] * trims.scale[0], uv[1] * trims.scale[1]};
+  bool on_seam = false;
   for (const auto& loop : trims.loops)
-    for (const Coedge& coedge : loop)
-      if (nearest(coedge.curve, point).distance <= tolerance) return Side::Border;
-  return is_inside(trims, point) ? Side::Inside : Side::Outside;
+    for (const Coedge& coedge : loop) {
+      if (nearest(coedge.curve, point).distance > tolerance) continue;
+      if (coedge.degenerated || !is_seam(trims, coedge.edge)) return Side::Border;
+      on_seam = true;
+    }
+  return on_seam || is_inside(trims, point) ? Side::Inside : Side::Outside;
 }
 
 bool holds(const CurvePlace& place, const CurveSurfacePoint& point) {

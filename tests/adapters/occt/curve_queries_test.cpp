@@ -99,6 +99,15 @@ TEST(OcctCurveQueries, LinesMeetASphereAtItsParameters) {
   for (const CurveSurfacePoint& p : found.points) EXPECT_NEAR(p.uv[1], std::asin(0.6), 1e-12);
 }
 
+TEST(OcctCurveQueries, ASeamIsNoBorder) {
+  const TopoDS_Face sphere = BRepBuilderAPI_MakeFace(gp_Sphere(gp_Ax3(), 1));
+  const CurveSurfaceIntersection found = intersect(segment({-2, 0, 0.6}, {2, 0, 0.6}), sphere);
+  EXPECT_EQ(found.status, Status::Complete);
+  ASSERT_EQ(found.points.size(), 2U);
+  EXPECT_TRUE(found.points[0].proven && found.points[1].proven);
+  EXPECT_TRUE(found.places.empty());
+}
+
 // A square with a square hole.
 TopoDS_Face frame() {
   const auto square = [](double r, bool reversed) {
