@@ -31,7 +31,7 @@ FacePolygon::FacePolygon(const ModelFace& face, const std::vector<EdgePolyline>&
     }
 }
 
-int FacePolygon::place_of(const Vec2& uv, const EdgePoint& origin) {
+int FacePolygon::place_of(const Vec2& uv, const PolylinePoint& origin) {
   const auto [found, is_new] = places_.try_emplace({uv[0], uv[1]}, static_cast<int>(points.size()));
   if (is_new) {
     points.push_back(uv);
@@ -57,7 +57,7 @@ void FacePolygon::take(const ModelFace& face, std::size_t number,
     return own == of_edge ? there : at(own, (there - of_edge.from) / length(of_edge));
   };
   const auto corner = [&](int k) { return face.chart.corners[static_cast<std::size_t>(k)]; };
-  const auto origin = [&](std::size_t k) { return EdgePoint{edge, is_point ? 0 : k}; };
+  const auto origin = [&](std::size_t k) { return PolylinePoint{edge, is_point ? 0 : k}; };
   Vec2 before = corner(border.from);
   int last = place_of(before, origin(border.reversed ? count : 0));
   // A point in space whose ends are one corner goes round nothing.

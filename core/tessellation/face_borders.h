@@ -16,7 +16,7 @@
 namespace blossom {
 
 /// A point of an edge's polyline: vertex or sample.
-struct EdgePoint {
+struct PolylinePoint {
   int edge = -1;
   std::size_t number = 0;
 };
@@ -37,8 +37,8 @@ struct PolygonSide {
 };
 
 struct FacePolygon {
-  std::vector<Vec2> points;        ///< no two are equal
-  std::vector<EdgePoint> origins;  ///< of each point
+  std::vector<Vec2> points;            ///< no two are equal
+  std::vector<PolylinePoint> origins;  ///< of each point
   std::vector<PolygonSide> sides;
   Vec2 low, high;  ///< box
 
@@ -51,7 +51,7 @@ struct FacePolygon {
 
  private:
   void take(const ModelFace& face, std::size_t border, const std::vector<EdgePolyline>& polylines);
-  int place_of(const Vec2& uv, const EdgePoint& origin);
+  int place_of(const Vec2& uv, const PolylinePoint& origin);
 
   std::map<std::pair<double, double>, int> places_;
 };

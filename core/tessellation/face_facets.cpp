@@ -261,8 +261,8 @@ class FacetBuilder {
 
   // That opposite to a corner, if both its ends are on edges.
   std::optional<FacetSide> common_side(const Face& face, std::size_t k) const {
-    const EdgePoint& a = corners_[face.corner[(k + 1) % 3]].origin;
-    const EdgePoint& b = corners_[face.corner[(k + 2) % 3]].origin;
+    const PolylinePoint& a = corners_[face.corner[(k + 1) % 3]].origin;
+    const PolylinePoint& b = corners_[face.corner[(k + 2) % 3]].origin;
     if (a.edge < 0 || b.edge < 0) return {};
     const auto [low, high] = std::minmax({corners_.common_point(a), corners_.common_point(b)});
     return FacetSide{{low, high}, !face.fixed[k]};

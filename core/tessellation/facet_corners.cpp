@@ -88,8 +88,8 @@ double FacetCorners::moved_of(const FacetTriangle& facet) const {
 
 bool FacetCorners::is_flat(const FacetTriangle& facet) const {
   for (std::size_t k = 0; k < 3; ++k) {
-    const EdgePoint& a = corners_[index(facet[k])].origin;
-    const EdgePoint& b = corners_[index(facet[(k + 1) % 3])].origin;
+    const PolylinePoint& a = corners_[index(facet[k])].origin;
+    const PolylinePoint& b = corners_[index(facet[(k + 1) % 3])].origin;
     if (a.edge < 0 || b.edge < 0) continue;
     if (vertex_of(a) >= 0 && vertex_of(a) == vertex_of(b)) return true;
     if (a.edge == b.edge && a.number == b.number) return true;
@@ -101,12 +101,12 @@ bool FacetCorners::is_folded(const FacetTriangle& facet) const {
   return dot(area_of(facet), normal_at(facet)) < 0;
 }
 
-CommonPoint FacetCorners::common_point(const EdgePoint& origin) const {
+CommonPoint FacetCorners::common_point(const PolylinePoint& origin) const {
   const int vertex = vertex_of(origin);
   return vertex >= 0 ? CommonPoint{-1, index(vertex)} : CommonPoint{origin.edge, origin.number};
 }
 
-Vec3 FacetCorners::point_of(const EdgePoint& origin) const {
+Vec3 FacetCorners::point_of(const PolylinePoint& origin) const {
   const EdgePolyline& line = polylines_[index(origin.edge)];
   const ModelEdge& edge = model_.edges[index(origin.edge)];
   if (origin.number == 0) return model_.vertices[index(edge.from)];
@@ -114,7 +114,7 @@ Vec3 FacetCorners::point_of(const EdgePoint& origin) const {
   return line.points()[origin.number];
 }
 
-int FacetCorners::vertex_of(const EdgePoint& origin) const {
+int FacetCorners::vertex_of(const PolylinePoint& origin) const {
   const ModelEdge& edge = model_.edges[index(origin.edge)];
   if (origin.number == 0) return edge.from;
   return origin.number == polylines_[index(origin.edge)].segments() ? edge.to : -1;

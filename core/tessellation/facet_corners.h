@@ -20,8 +20,8 @@ namespace blossom {
 /// Corners of a face have parameters and a normal of their own there: a vertex on a seam is two
 /// corners, a pole several.
 struct FaceCorner {
-  EdgePoint origin;  ///< no edge for a point inside of the face
-  Vec2 uv;           ///< the surface's own parameters
+  PolylinePoint origin;  ///< no edge for a point inside of the face
+  Vec2 uv;               ///< the surface's own parameters
   Vec3 point;
   Vec3 normal;  ///< unit, along S_u x S_v; zero where that vanishes
 };
@@ -77,11 +77,11 @@ class FacetCorners {
   bool is_folded(const FacetTriangle& facet) const;
 
   /// The point of edges that a corner on them is.
-  CommonPoint common_point(const EdgePoint& origin) const;
+  CommonPoint common_point(const PolylinePoint& origin) const;
 
  private:
-  Vec3 point_of(const EdgePoint& origin) const;
-  int vertex_of(const EdgePoint& origin) const;
+  Vec3 point_of(const PolylinePoint& origin) const;
+  int vertex_of(const PolylinePoint& origin) const;
 
   const ShapeModel& model_;
   const std::vector<EdgePolyline>& polylines_;

@@ -220,7 +220,7 @@ class Mesher {
     return face;
   }
 
-  int number_of(const EdgePoint& origin, const std::vector<int>& first_inner) const {
+  int number_of(const PolylinePoint& origin, const std::vector<int>& first_inner) const {
     const ModelEdge& edge = model_.edges[index(origin.edge)];
     if (origin.number == 0) return edge.from;
     if (origin.number == polylines_[index(origin.edge)].segments()) return edge.to;
