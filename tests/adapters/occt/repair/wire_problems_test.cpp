@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
@@ -16,6 +17,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp.hxx>
@@ -126,10 +128,13 @@ TopoDS_Face with_a_tangent(double turn) {
   return face;
 }
 
-TopoDS_Edge circle(double radius, const TopoDS_Vertex& end) {
+// Ends in the origin, turned about it.
+TopoDS_Edge circle(double radius, double turn, const TopoDS_Vertex& end) {
   const BRep_Builder builder;
+  const gp_Dir out(std::cos(turn), std::sin(turn), 0);
   TopoDS_Edge edge;
-  builder.MakeEdge(edge, new Geom_Circle(gp_Ax2(gp_Pnt(-radius, 0, 0), gp::DZ()), radius),
+  builder.MakeEdge(edge,
+                   new Geom_Circle(gp_Ax2(gp_Pnt(-radius * out.XYZ()), gp::DZ(), out), radius),
                    Precision::Confusion());
   builder.Range(edge, 0, 2 * std::numbers::pi);
   builder.Add(edge, end.Oriented(TopAbs_FORWARD));
@@ -137,33 +142,43 @@ TopoDS_Edge circle(double radius, const TopoDS_Vertex& end) {
   return edge;
 }
 
-// The part of a disc outside of another one that touches its rim from inside, in a vertex of both.
-TopoDS_Face crescent(double radius) {
+// The part of a disc of radius 1 outside of one of radius 1/2 that touches its rim from inside, in
+// a vertex of both. Turned by 3e-4 it crosses the rim 6e-4 from there, between which they are
+// 5e-8 apart; turned by 2e-2 4e-2 away, 2e-4 apart.
+TopoDS_Face crescent(double turn) {
   const BRep_Builder builder;
   TopoDS_Vertex touch;
   builder.MakeVertex(touch, gp_Pnt(0, 0, 0), Precision::Confusion());
   TopoDS_Face face;
   builder.MakeFace(face, new Geom_Plane(gp_Pln()), Precision::Confusion());
-  for (const bool outer : {true, false}) {
+  for (const TopoDS_Edge& edge :
+       {circle(1, 0, touch), TopoDS::Edge(circle(0.5, turn, touch).Reversed())}) {
     TopoDS_Wire wire;
     builder.MakeWire(wire);
-    const TopoDS_Edge edge = circle(outer ? radius : 0.5 * radius, touch);
-    builder.Add(wire, outer ? edge : TopoDS_Edge(TopoDS::Edge(edge.Reversed())));
+    builder.Add(wire, edge);
     wire.Closed(Standard_True);
     builder.Add(face, wire);
   }
   return face;
 }
 
-// The large circles are within 1e-7 for 0.06 on both sides of the vertex.
-TEST(WireProblems, AreNoneWhereWiresTouchTangentially) {
-  EXPECT_TRUE(wire_problems(crescent(1)).empty());
-  EXPECT_TRUE(wire_problems(crescent(1e4)).empty());
+TEST(WireProblems, AreNoneWhereWiresTouchInTheirVertexWithinTolerance) {
+  EXPECT_TRUE(wire_problems(crescent(0)).empty());
+  EXPECT_TRUE(wire_problems(crescent(3e-4)).empty());
+  EXPECT_FALSE(wire_problems(crescent(2e-2)).empty());
 }
 
 TEST(WireProblems, AreNoneWhereATangentCrossesItsArcWithinTolerance) {
   EXPECT_TRUE(wire_problems(with_a_tangent(2e-5)).empty());
   EXPECT_EQ(wire_problems(with_a_tangent(2e-2)).size(), 1U);
+}
+
+// Of a result of a boolean: a sliver of a torus in which two edges cross 3e-4 from the corner that
+// they share, and are within 3e-8 of each other from there on, and for a while beyond.
+TEST(WireProblems, AreNoneInASliverOfTangentSurfaces) {
+  TopoDS_Shape face;
+  ASSERT_TRUE(BRepTools::Read(face, BLOSSOM_TEST_FILES "/faces/touching_arc.brep", BRep_Builder()));
+  EXPECT_TRUE(wire_problems(TopoDS::Face(face)).empty());
 }
 
 }  // namespace
