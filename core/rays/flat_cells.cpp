@@ -2,66 +2,37 @@
 #include "core/rays/flat_cells.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <string>
 #include <utility>
 
 #include "core/base/errors.h"
-#include "core/cells/cell_tree.h"
-#include "core/cells/limits.h"
-#include "core/forms/evaluation.h"
 
 namespace blossom {
 namespace {
 
-// A cell is flat when its derivatives stay this close to their middle, as a part of it.
-constexpr double kFlat = 0.2;
-// Halvings of a patch that is nowhere flat, as at a pole; searches go on from there.
-constexpr int kDeepest = 12;
-// Cells of one patch, however many patches there are; and of all patches that are curved alike.
-constexpr std::size_t kMinCells = 16;
-constexpr std::size_t kMaxCells = 1'000'000;
-// A rounding of each of the few operations that make a bound.
-constexpr double kSlack = 1 + 1e-12;
+// Halvings of a patch that is nowhere flat, as at a pole; searches go on from there. Fewer where
+// there are many patches, so that their cells stay below `kMaxCells` in all, but `kLeastDepth`.
+// Choices.
+constexpr int kMostDepth = 12;
+constexpr int kLeastDepth = 4;
+constexpr std::size_t kMaxCells = std::size_t{1} << 22;
+// Of a control point's quotient, as a part of the largest coordinate.
+constexpr double kBoxRounding = 0x1p-52;
 
-double absolute_product(const Vec3& a, const Vec3& b) {
-  return kSlack * (std::abs(a[0]) * b[0] + std::abs(a[1]) * b[1] + std::abs(a[2]) * b[2]);
+int deepest_of(std::size_t patches) {
+  const int depth =
+      static_cast<int>(std::bit_width(kMaxCells / std::max<std::size_t>(patches, 1))) - 1;
+  return std::clamp(depth, kLeastDepth, kMostDepth);
 }
 
-double bound_of_length(const VectorBounds& bounds) {
-  Vec3 most;
-  for (int k = 0; k < 3; ++k) most[k] = std::abs(bounds.middle[k]) + bounds.radius[k];
-  return kSlack * norm(most);
-}
-
-FlatCell flat_cell(const Cell& cell, const RationalBezierPatch& patch) {
-  FlatCell flat;
-  flat.u = cell.u;
-  flat.v = cell.v;
-  flat.centre = jet_at(patch, at(cell.u, 0.5), at(cell.v, 0.5), 1).point;
-  flat.reach = {bound_of_length(cell.du), bound_of_length(cell.dv)};
-  const Vec3 area = cross(cell.du.middle, cell.dv.middle);
-  const double square = dot(area, area);
-  if (!(square > 0) || !std::isfinite(1 / square)) return flat;
-  flat.normal = unit(area);
-  flat.dual = {cross(cell.dv.middle, area) * (1 / square),
-               cross(area, cell.du.middle) * (1 / square)};
-  const std::array<const VectorBounds*, 2> derivatives{&cell.du, &cell.dv};
-  for (std::size_t j = 0; j < 2; ++j) {
-    flat.dual_length[j] = norm(flat.dual[j]);
-    flat.tilt[j] = absolute_product(flat.normal, derivatives[j]->radius);
-    for (std::size_t i = 0; i < 2; ++i)
-      flat.spread[i][j] = absolute_product(flat.dual[i], derivatives[j]->radius);
+Box box_of(const RationalBezierPatch& patch) {
+  Box box;
+  for (const Vec4& p : patch.points.values()) {
+    const Vec3 point{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+    box = joined(box, {point, point});
   }
-  flat.regular = is_contraction(flat.spread);
-  return flat;
-}
-
-bool is_flat(const FlatCell& cell) {
-  const double steepest = std::max(cell.dual_length[0], cell.dual_length[1]);
-  return cell.regular && cell.spread[0][0] + cell.spread[0][1] <= kFlat &&
-         cell.spread[1][0] + cell.spread[1][1] <= kFlat &&
-         steepest * std::max(cell.tilt[0], cell.tilt[1]) <= kFlat;
+  return box;
 }
 
 }  // namespace
@@ -79,11 +50,12 @@ FlatCells::FlatCells(std::vector<BezierSurface> surfaces, double smallest,
     validate(surfaces_[i], ("number " + std::to_string(i)).c_str());
     count += surfaces_[i].patches.values().size();
   }
-  most_cells_ = std::max(kMinCells, kMaxCells / count);
   for (std::size_t i = 0; i < surfaces_.size(); ++i)
     for (int row = 0; row < surfaces_[i].patches.rows(); ++row)
       for (int column = 0; column < surfaces_[i].patches.columns(); ++column)
         add_patch(static_cast<int>(i), row, column);
+  deepest_ = deepest_of(count);
+  made_ = std::make_unique<Made[]>(count);
 }
 
 void FlatCells::add_patch(int surface, int row, int column) {
@@ -103,34 +75,28 @@ void FlatCells::add_patch(int surface, int row, int column) {
                           [](const Vec4& a, const Vec4& b) { return a[3] < b[3]; });
   placed.least_weight = (*weights.first)[3];
   placed.largest_weight = (*weights.second)[3];
-  for (const Vec4& p : patch.points.values())
-    scale_ =
-        std::max({scale_, std::abs(p[0] / p[3]), std::abs(p[1] / p[3]), std::abs(p[2] / p[3])});
   const int points = patch.points.rows() * patch.points.columns();
   largest_net_ = std::max(largest_net_, points);
   // Weights of degree n carry 3 n roundings, sums one each, the quotient one.
   const double roundings = 4.0 * (patch.degree_u() + patch.degree_v()) + 12;
   evaluation_error_ = std::max(evaluation_error_, 2 * roundings * 0x1p-53);
-
-  // Halved off the middle: poles and symmetries of models lie on dyadic lines.
-  CellTree tree(patch, owner.rational, Vec3{}, CellForm::Bezier, kOffMiddle);
-  std::vector<int> open{0};
-  for (std::size_t next = 0, found = 0; next < open.size(); ++next) {
-    const Cell cell = tree[open[next]];
-    FlatCell flat = flat_cell(cell, patch);
-    const bool settled = is_flat(flat) || cell.depth >= kDeepest || cell.extent <= smallest_ ||
-                         found + (open.size() - next) >= most_cells_;
-    if (!settled) {
-      const int low = tree.split(open[next]);
-      open.insert(open.end(), {low, low + 1});
-      continue;
-    }
-    ++found;
-    flat.patch = static_cast<int>(patches_.size());
-    cells_.push_back(flat);
-    boxes_.push_back({cell.low, cell.high});
-  }
+  const Box box = box_of(patch);
+  const double largest = std::max(max_norm(box.low), max_norm(box.high));
+  scale_ = std::max(scale_, largest);
+  boxes_.push_back(widened(box, placed.reach + kBoxRounding * largest));
   patches_.push_back(placed);
+}
+
+PatchCells& FlatCells::cells_of(int patch) const {
+  const auto index = static_cast<std::size_t>(patch);
+  Made& made = made_[index];
+  std::call_once(made.once, [&] {
+    const PlacedPatch& placed = patches_[index];
+    const bool rational = surfaces_[static_cast<std::size_t>(placed.surface)].rational;
+    made.cells = std::make_unique<PatchCells>(
+        *placed.patch, rational, PatchCells::Options{patch, placed.reach, smallest_, deepest_});
+  });
+  return *made.cells;
 }
 
 Vec2 FlatCells::parameters(int patch, const Vec2& local) const {

@@ -1,40 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Surfaces cut into cells that are nearly flat, with what makes queries on them fast.
-//
-// In the cell's own parameters x in [-1/2, 1/2]^2, S(x) = S(0) + x_u M_u + x_v M_v + rest. The dual
-// vectors D (D_i . M_j = 1 or 0) and the unit normal N turn the rest into numbers: for every
-// derivative S_j of the cell
-//
-//   |D_i . (S_j - M_j)| <= spread[i][j],   |N . (S_j - M_j)| <= tilt[j]
-//
-// so where and how often a line or a foot point can be in the cell follows from these six numbers.
+// Surfaces made ready for lines: their patches, and the flat cells of each where lines come near.
 
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "core/bounds/box_tree.h"
 #include "core/forms/surface.h"
-#include "core/math/interval.h"
 #include "core/math/vec.h"
-#include "core/rays/two_forms.h"
+#include "core/rays/patch_cells.h"
 
 namespace blossom {
-
-struct FlatCell {
-  int patch = 0;         ///< index into FlatCells::patches()
-  bool regular = false;  ///< false near poles: then there are no dual vectors
-  Interval u, v;         ///< place in the patch's [0, 1]^2
-  Vec3 centre;           ///< S(0), model units
-  std::array<Vec3, 2> dual;
-  Vec3 normal;
-  Matrix2 spread{};
-  std::array<double, 2> tilt{};
-  std::array<double, 2> dual_length{};
-  std::array<double, 2> reach{};  ///< bounds of |S_u|, |S_v| by the cell's own parameters
-};
 
 /// A patch with its place in its surface.
 struct PlacedPatch {
@@ -51,8 +30,8 @@ struct PlacedPatch {
 
 class FlatCells {
  public:
-  /// Cuts all patches until their cells are flat enough for one step of Newton's method to be
-  /// good, or a cell is no larger than `smallest`.
+  /// Patches are cut where lines come near, until their cells are flat enough for one step of
+  /// Newton's method to be good, or no larger than `smallest`.
   /// surfaces  validated, the result keeps them
   /// smallest  model units
   /// reaches   one for each surface: how far beyond its borders it still counts, as where edges
@@ -67,9 +46,10 @@ class FlatCells {
 
   const std::vector<BezierSurface>& surfaces() const { return surfaces_; }
   const std::vector<PlacedPatch>& patches() const { return patches_; }
-  const std::vector<FlatCell>& cells() const { return cells_; }
-  /// Boxes of the cells, roundings included.
+  /// Boxes of the patches, roundings included, as far out as they still count.
   const std::vector<Box>& boxes() const { return boxes_; }
+  /// The cells of a patch. Any number of threads may ask.
+  PatchCells& cells_of(int patch) const;
 
   /// The surface's own parameters of a place in a patch.
   Vec2 parameters(int patch, const Vec2& local) const;
@@ -82,15 +62,20 @@ class FlatCells {
   int largest_net() const { return largest_net_; }
 
  private:
+  struct Made {
+    std::once_flag once;
+    std::unique_ptr<PatchCells> cells;
+  };
+
   void add_patch(int surface, int row, int column);
 
   std::vector<BezierSurface> surfaces_;
   std::vector<PlacedPatch> patches_;
-  std::vector<FlatCell> cells_;
   std::vector<Box> boxes_;
+  std::unique_ptr<Made[]> made_;
   std::vector<double> reaches_;
   double smallest_;
-  std::size_t most_cells_;
+  int deepest_ = 0;
   double scale_ = 0;
   double evaluation_error_ = 0;
   int largest_net_ = 0;

@@ -28,16 +28,6 @@ void validate(const Ray& ray) {
   if (!(ray.from <= ray.to)) throw InvalidInput("ray: its end must not be before its start");
 }
 
-std::vector<Box> reachable(const FlatCells& cells) {
-  std::vector<Box> result;
-  result.reserve(cells.boxes().size());
-  for (std::size_t i = 0; i < cells.boxes().size(); ++i) {
-    const auto patch = static_cast<std::size_t>(cells.cells()[i].patch);
-    result.push_back(widened(cells.boxes()[i], cells.patches()[patch].reach));
-  }
-  return result;
-}
-
 double checked(const Tolerances& tolerances) {
   if (!(tolerances.point > 0) || !std::isfinite(tolerances.point))
     throw InvalidInput("RayCaster: the tolerance must be positive");
@@ -101,7 +91,7 @@ void join_hits(std::vector<RayHit>& hits, double speed, double tolerance) {
 RayCaster::RayCaster(std::vector<BezierSurface> surfaces, const Tolerances& tolerances,
                      std::vector<double> reaches)
     : cells_(std::move(surfaces), checked(tolerances), std::move(reaches)),
-      tree_(reachable(cells_)),
+      tree_(cells_.boxes()),
       tolerance_(tolerances.point) {}
 
 std::vector<RayHit> RayCaster::all_hits(const Ray& ray) const {
@@ -153,16 +143,20 @@ void RayQuery::collect(const Ray& ray, const HitFilter& accept, bool first_only)
   const double speed = norm(ray.direction);
   const double slack = 4 * caster_.tolerance_ / speed;
   double wanted = ray.to + slack;
-  caster_.tree_.for_each_along(
-      {ray.origin, ray.direction, ray.from - slack, wanted}, [&](int cell, double) {
-        const std::size_t before = hits_.size();
-        search_.examine(caster_.cells_.cells()[static_cast<std::size_t>(cell)], hits_);
-        keep(before, ray, accept);
-        for (std::size_t i = before; first_only && i < hits_.size(); ++i)
-          if (hits_[i].status == Status::Complete)
-            wanted = std::min(wanted, hits_[i].parameter + slack);
-        return wanted;
-      });
+  LineProbe probe{ray.origin, ray.direction, ray.from - slack, wanted};
+  caster_.tree_.for_each_along(probe, [&](int patch, double) {
+    probe.to = wanted;
+    caster_.cells_.cells_of(patch).for_each_along(probe, [&](const FlatCell& cell) {
+      const std::size_t before = hits_.size();
+      search_.examine(cell, hits_);
+      keep(before, ray, accept);
+      for (std::size_t i = before; first_only && i < hits_.size(); ++i)
+        if (hits_[i].status == Status::Complete)
+          wanted = std::min(wanted, hits_[i].parameter + slack);
+      return wanted;
+    });
+    return wanted;
+  });
   join_hits(hits_, speed, caster_.tolerance_);
 }
 

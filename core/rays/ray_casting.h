@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rays and lines against surfaces: all hits or the first one, each proven or marked.
 //
-// The surfaces are cut once into nearly flat cells in a tree of boxes; a ray then visits a few
-// cells, and in most of them one bound and three steps of Newton's method settle it. No hit is
-// left out: where roundings or the tolerance leave a question, the hit says so by its status.
+// Surfaces are cut into nearly flat cells where rays come near, and what is cut is kept. A ray
+// visits a few cells, and in most of them one bound and three steps of Newton's method settle it.
+// No hit is left out: where roundings or the tolerance leave a question, the hit says so by its
+// status.
 
 #pragma once
 
