@@ -11,6 +11,7 @@
 #include <Geom2dAdaptor_Curve.hxx>
 #include <GeomAbs_Shape.hxx>
 #include <GeomAdaptor_Curve.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
@@ -29,6 +30,7 @@ constexpr double kMargin = 1.1;  // tolerances cover sampled distances with it
 constexpr int kDeviationSamples = 64;
 constexpr int kSpanSamples = 8;  // of each span of splines, between whose knots deviations swing
 constexpr int kNearSamples = 64;
+constexpr int kClosedSamples = 16;
 constexpr int kNewtonSteps = 12;
 
 // The ends of the spans of a curve in a range.
@@ -137,6 +139,28 @@ void add_seam_charts(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & forwa
     widen(edge, kMargin * deviation(edge, chart, BRep_Tool::Surface(face)));
 }
 
+namespace {
+
+// Open CASCADE says of no offset surface that it is closed. It is where the surface below it is,
+// and has no crease there: seen at samples of the borders.
+bool is_closed_offset(const Handle(Geom_Surface) & surface, const std::array<Interval, 2>& box,
+                      bool in_u) {
+  const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface);
+  if (offset.IsNull()) return false;
+  const Handle(Geom_Surface)& basis = offset->BasisSurface();
+  if (!(in_u ? basis->IsUClosed() : basis->IsVClosed())) return false;
+  const Interval &across = box[in_u ? 0 : 1], &along = box[in_u ? 1 : 0];
+  for (int i = 0; i <= kClosedSamples; ++i) {
+    const double t = at(along, static_cast<double>(i) / kClosedSamples);
+    const gp_Pnt low = in_u ? surface->Value(across.from, t) : surface->Value(t, across.from);
+    const gp_Pnt high = in_u ? surface->Value(across.to, t) : surface->Value(t, across.to);
+    if (low.Distance(high) > Precision::Confusion()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 std::array<double, 2> turns_of(const Handle(Geom_Surface) & given) {
   const Handle(Geom_Surface) surface = basis_of(given);
   Interval u, v;
@@ -144,11 +168,11 @@ std::array<double, 2> turns_of(const Handle(Geom_Surface) & given) {
   std::array<double, 2> turns{};
   if (surface->IsUPeriodic())
     turns[0] = surface->UPeriod();
-  else if (surface->IsUClosed())
+  else if (surface->IsUClosed() || is_closed_offset(surface, {u, v}, true))
     turns[0] = length(u);
   if (surface->IsVPeriodic())
     turns[1] = surface->VPeriod();
-  else if (surface->IsVClosed())
+  else if (surface->IsVClosed() || is_closed_offset(surface, {u, v}, false))
     turns[1] = length(v);
   return turns;
 }

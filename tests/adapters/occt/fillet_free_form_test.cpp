@@ -17,6 +17,7 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepOffsetAPI_MakePipe.hxx>
+#include <BRepOffsetAPI_MakeThickSolid.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
@@ -26,6 +27,7 @@
 #include <Geom_Plane.hxx>
 #include <Geom_Surface.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -393,6 +395,46 @@ TEST(FilletOfRealFaces, WithAFarTooLargeRadiusIsRefusedInAShortTime) {
   const FilletResult made = fillet(model.shape(), {64}, {.radius = 54.2168});
   EXPECT_TRUE(made.solids.empty());
   EXPECT_EQ(made.refused.size(), 1U);
+}
+
+// A vase of three circles with a wall 2 thick, open above: its inside is an offset of its outside.
+TopoDS_Shape shelled_loft() {
+  BRepOffsetAPI_ThruSections loft(true, false);
+  for (const Vec2& level : {Vec2{30, 0}, Vec2{38, 20}, Vec2{25, 50}}) {
+    const gp_Circ circle(gp_Ax2(gp_Pnt(0, 0, level[1]), gp::DZ()), level[0]);
+    loft.AddWire(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle)));
+  }
+  loft.Build();
+  TopTools_ListOfShape open;
+  for (TopExp_Explorer it(loft.Shape(), TopAbs_FACE); it.More(); it.Next()) {
+    const auto plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(TopoDS::Face(it.Current())));
+    if (!plane.IsNull() && plane->Location().Z() > 49) open.Append(it.Current());
+  }
+  BRepOffsetAPI_MakeThickSolid shell;
+  shell.MakeThickSolidByJoin(loft.Shape(), open, -2, 1e-3);
+  return shell.Shape();
+}
+
+// The inside is closed, which Open CASCADE says of no offset surface.
+TEST(FilletOfAShelledLoft, RoundsEachRimInsideAndOutside) {
+  const TopoDS_Shape vase = shelled_loft();
+  int rims = 0;
+  for (const double height : {0.0, 2.0, 50.0})
+    for (const int edge : edges_at_height(vase, height)) {
+      SCOPED_TRACE(edge);
+      expect_sound(fillet(vase, {edge}, {.radius = 0.5}));
+      ++rims;
+    }
+  EXPECT_EQ(rims, 4);
+}
+
+// Between both rims at the top there is room for two balls of 1, whose contacts meet in the middle.
+TEST(FilletOfAShelledLoft, HasRoomForBallsOfHalfItsWall) {
+  const TopoDS_Shape vase = shelled_loft();
+  const FilletResult made = fillet(vase, edges_at_height(vase, 50), {.radius = 1.5});
+  ASSERT_EQ(made.refused.size(), 1U) << told(made);
+  ASSERT_TRUE(made.refused.front().largest) << told(made);
+  EXPECT_NEAR(*made.refused.front().largest, 1, 1e-5);
 }
 
 }  // namespace
