@@ -218,9 +218,11 @@ class LoopsProof {
   LoopsProof(const FaceTrims& trims, double margin)
       : trims_(trims), margin_(margin), tests_(budget_of(trims)) {}
 
-  bool holds() {
-    return std::ranges::all_of(trims_.loops, [&](const auto& loop) { return add(loop); }) &&
-           neighbours_meet_in_corners() && others_are_apart() && one_runs_round_all();
+  Nesting nesting() {
+    const bool apart =
+        std::ranges::all_of(trims_.loops, [&](const auto& loop) { return add(loop); }) &&
+        neighbours_meet_in_corners() && others_are_apart();
+    return apart ? nesting_of_parted() : Nesting::InDoubt;
   }
 
  private:
@@ -313,7 +315,7 @@ class LoopsProof {
 
   // Loops that are apart are nested as any of their points are. An area of less than the margin
   // along the loop has no sign that gaps between coedges could not change.
-  bool one_runs_round_all() const {
+  Nesting nesting_of_parted() const {
     std::optional<std::size_t> outer;
     std::vector<PlanarPath> paths;
     for (std::size_t i = 0; i < ends_.size(); ++i) {
@@ -322,15 +324,16 @@ class LoopsProof {
       double around = 0;
       for (const PlanarBezier& curve : paths[i])
         around += distance(projected(curve.points.front()), projected(curve.points.back()));
-      if (!(std::abs(area) > std::max(margin_, trims_.largest_gap) * around)) return false;
-      if (area > 0 && std::exchange(outer, i)) return false;
+      if (!(std::abs(area) > std::max(margin_, trims_.largest_gap) * around))
+        return Nesting::InDoubt;
+      if (area > 0 && std::exchange(outer, i)) return Nesting::InDoubt;
     }
-    if (!outer) return false;
+    if (!outer) return Nesting::InDoubt;
     for (std::size_t i = 0; i < paths.size(); ++i)
       for (std::size_t k = 0; k < paths.size(); ++k)
         if (i != k && i != *outer && encloses(paths[k], start_of(paths[i])) != (k == *outer))
-          return false;
-    return true;
+          return Nesting::HoleAstray;
+    return Nesting::Sound;
   }
 
   const FaceTrims& trims_;
@@ -342,6 +345,8 @@ class LoopsProof {
 
 }  // namespace
 
-bool are_simple(const FaceTrims& trims, double margin) { return LoopsProof(trims, margin).holds(); }
+Nesting nesting_of(const FaceTrims& trims, double margin) {
+  return LoopsProof(trims, margin).nesting();
+}
 
 }  // namespace blossom

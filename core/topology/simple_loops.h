@@ -12,19 +12,28 @@
 
 namespace blossom {
 
-/// Whether the loops are proven to pass no point twice but within the tolerances of the vertices
-/// between their coedges, and exactly one of them to run round all others, counter-clockwise, while
-/// these run clockwise and none within another. The straight ways over gaps between coedges are
-/// part of the loops.
+/// How loops lie to each other.
+enum class Nesting {
+  Sound,       ///< exactly one runs round all others, counter-clockwise; these run clockwise, none
+               ///< within another
+  HoleAstray,  ///< one runs counter-clockwise, but another one not within it, or within a third
+  InDoubt      ///< also where no loop runs counter-clockwise, or several do
+};
+
+/// How the loops lie, if they are proven to pass no point twice but within the tolerances of the
+/// vertices between their coedges. The straight ways over gaps between coedges are part of them.
 ///
 /// What a vertex covers in the chart follows from the surface's derivatives, which are taken in
 /// five places round it: that is by samples.
 ///
 /// margin    chart coordinates: by more than it, and the largest gap, pieces that share no corner
 ///           are apart
-/// returns   false in doubt, also where 1000 tests of two pieces for each span do not do
+/// returns   in doubt also where 1000 tests of two pieces for each span do not do
 /// cost      about 50 ns for each two spans whose boxes meet, and 5 ns for all others; of spans
 ///           that run beside each other no more than those tests, some 0.3 ms for each span
-bool are_simple(const FaceTrims& trims, double margin);
+Nesting nesting_of(const FaceTrims& trims, double margin);
+inline bool are_simple(const FaceTrims& trims, double margin) {
+  return nesting_of(trims, margin) == Nesting::Sound;
+}
 
 }  // namespace blossom

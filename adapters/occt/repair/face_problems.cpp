@@ -35,6 +35,7 @@ std::optional<std::vector<std::string>> known_of(const TopoDS_Face& face) {
 // Of a face of which nothing is known: the loops of polygons are in doubt already.
 std::vector<std::string> found_by_check(const TopoDS_Face& face) {
   if (!is_held_polygon(face) && is_sound_face(face)) return {};
+  if (has_hole_astray(face)) return {"a hole does not lie in it"};
   const BRepCheck_Analyzer analyzer(face);
   if (analyzer.IsValid()) return {};
   std::vector<std::string> problems;

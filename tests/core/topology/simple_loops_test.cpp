@@ -41,6 +41,25 @@ TEST(SimpleLoops, AreThoseOfOrdinaryFaces) {
   EXPECT_TRUE(are_simple(square_with_hole({{1, 1}, {1, 2}, {2, 2}, {2, 1}})));
 }
 
+// Of loops that are apart, holes outside of the loop round the face or within each other.
+TEST(SimpleLoops, TellHolesThatGoAstray) {
+  const auto nesting = [](std::vector<std::vector<Vec2>> polygons) {
+    FlatLoops loops;
+    for (const std::vector<Vec2>& polygon : polygons) loops.add_polygon(polygon);
+    return nesting_of(trims_of(std::move(loops)), kMargin);
+  };
+  const std::vector<Vec2> hole{{1, 1}, {1, 3}, {3, 3}, {3, 1}}, beside{{5, 1}, {5, 2}, {6, 2}},
+      within{{1.5, 1.5}, {1.5, 2}, {2, 2}}, around{{-1, -1}, {-1, 5}, {5, 5}, {5, -1}},
+      across{{3, 1}, {3, 2}, {5, 2}, {5, 1}}, other{{5, 1}, {6, 1}, {6, 2}};
+  EXPECT_EQ(nesting({kSquare4, hole}), Nesting::Sound);
+  EXPECT_EQ(nesting({kSquare4, beside}), Nesting::HoleAstray);
+  EXPECT_EQ(nesting({kSquare4, around}), Nesting::HoleAstray);
+  EXPECT_EQ(nesting({kSquare4, hole, within}), Nesting::HoleAstray);
+  EXPECT_EQ(nesting({kSquare4, across}), Nesting::InDoubt);
+  EXPECT_EQ(nesting({kSquare4, other}), Nesting::InDoubt);
+  EXPECT_EQ(nesting({hole}), Nesting::InDoubt);
+}
+
 TEST(SimpleLoops, MayHaveGapsThatVerticesCover) {
   FlatLoops covered, open;
   covered.add_polygon(kSquare4, 1e-3);

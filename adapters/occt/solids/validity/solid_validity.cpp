@@ -48,8 +48,8 @@ bool new_faces_are_valid(const TopoDS_Shape& shape, const TopTools_MapOfShape& k
     if (known.Contains(face) || is_sound_polygon(face)) continue;
     const TopoDS_Face copy = faces.add(face);
     // The loops of polygons are in doubt already.
-    if ((is_held_polygon(copy) || !is_sound_face(copy)) && !BRepCheck_Analyzer(copy).IsValid())
-      return false;
+    if (!is_held_polygon(copy) && is_sound_face(copy)) continue;
+    if (has_hole_astray(copy) || !BRepCheck_Analyzer(copy).IsValid()) return false;
   }
   return true;
 }

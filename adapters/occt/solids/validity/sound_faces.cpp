@@ -103,19 +103,23 @@ bool wires_are_fine(const TopoDS_Face& face) {
   return finds_nothing(whole->Status());
 }
 
-}  // namespace
-
-bool loops_are_simple(const TopoDS_Face& face) try {
-  if (!has_only_loops(face)) return false;
+Nesting nesting_of(const TopoDS_Face& face) try {
+  if (!has_only_loops(face)) return Nesting::InDoubt;
   const FaceTrims trims = face_trims(face);
   const double margin = std::max(kCheckMargin * std::max(trims.scale[0], trims.scale[1]),
                                  kSizeMargin * distance(trims.box.low, trims.box.high));
-  return are_simple(trims, margin);
+  return blossom::nesting_of(trims, margin);
 } catch (const Standard_Failure&) {  // BRepCheck has its own words for what is no geometry
-  return false;
+  return Nesting::InDoubt;
 } catch (const std::exception&) {
-  return false;
+  return Nesting::InDoubt;
 }
+
+}  // namespace
+
+bool loops_are_simple(const TopoDS_Face& face) { return nesting_of(face) == Nesting::Sound; }
+
+bool has_hole_astray(const TopoDS_Face& face) { return nesting_of(face) == Nesting::HoleAstray; }
 
 bool is_sound_face(const TopoDS_Face& face) try {
   return loops_are_simple(face) && edges_are_fine(face) && wires_are_fine(face);

@@ -15,6 +15,12 @@ namespace blossom::occt {
 ///           is no geometry; throws nothing
 bool loops_are_simple(const TopoDS_Face& face);
 
+/// Whether a wire of a face is proven to be a hole that does not lie in the face: what a blend or a
+/// cut leaves where there is no room for it. BRepCheck takes seconds to find that for long splines.
+///
+/// returns   false in doubt; throws nothing
+bool has_hole_astray(const TopoDS_Face& face);
+
 /// Whether a face is proven to have none of the faults that `BRepCheck_Analyzer` looks for. What
 /// that says of vertices, edges (with their polygons on triangulations) and the order of wires is
 /// asked of its own parts. Whether wires
