@@ -43,11 +43,12 @@ std::vector<double> v_breaks(const Handle(Geom_Surface) & surface, const Paramet
   return smooth_breaks(v, box.v);
 }
 
-Vec3 finite_value(const Geom_Surface& surface, double u, double v) {
-  const gp_XYZ point = surface.Value(u, v).XYZ();
+// The point of a surface at (u, v).
+Vec3 finite(const gp_Pnt& point, double u, double v) {
   // The words of a message are made only where there is one to write.
-  if (!is_finite(point))
-    check_finite(point, "the surface at (" + std::to_string(u) + ", " + std::to_string(v) + ")");
+  if (!is_finite(point.XYZ()))
+    check_finite(point.XYZ(),
+                 "the surface at (" + std::to_string(u) + ", " + std::to_string(v) + ")");
   return vec(point);
 }
 
@@ -57,13 +58,13 @@ BezierSurface swept_offset(const Handle(Geom_OffsetSurface) & offset, const Para
                            double tolerance, ArcCuts cuts) {
   const Handle(Geom_Surface) basis = basis_of(offset->BasisSurface());
   if (const auto turned = Handle(Geom_SurfaceOfRevolution)::DownCast(basis); !turned.IsNull()) {
-    const auto meridian = [&](double v) { return finite_value(*offset, 0, v); };
+    const auto meridian = [&](double v) { return finite(offset->Value(0, v), 0, v); };
     return turned_surface(curved_meridian(fitted_spans(meridian, v_breaks(offset, box), tolerance),
                                           vec(turned->Location()), vec(turned->Direction().XYZ())),
                           box.u, cuts);
   }
   if (const auto moved = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(basis); !moved.IsNull()) {
-    const auto profile = [&](double u) { return finite_value(*offset, u, 0); };
+    const auto profile = [&](double u) { return finite(offset->Value(u, 0), u, 0); };
     return extruded_surface(fitted_spans(profile, u_breaks(offset, box), tolerance),
                             vec(moved->Direction().XYZ()), box.v);
   }
@@ -72,7 +73,9 @@ BezierSurface swept_offset(const Handle(Geom_OffsetSurface) & offset, const Para
 
 BezierSurface fitted_patches(const Handle(Geom_Surface) & surface, const ParameterBox& box,
                              double tolerance) {
-  const auto value = [&](double u, double v) { return finite_value(*surface, u, v); };
+  // The adaptor keeps the span of a spline below an offset that was asked for last.
+  const GeomAdaptor_Surface adaptor(surface);
+  const auto value = [&](double u, double v) { return finite(adaptor.Value(u, v), u, v); };
   return fitted_surface(value, u_breaks(surface, box), v_breaks(surface, box), tolerance);
 }
 
