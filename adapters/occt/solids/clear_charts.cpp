@@ -177,17 +177,16 @@ Surroundings surroundings_of(const FreeChart& chart, const TrimTool& other,
   return near;
 }
 
-// A sphere's axes follow a spiral over half of it, which spreads them evenly, as the corners of a
-// torus are spread over its chart; turns by the golden angle have no symmetry.
+// Turns about the axis come first: circles round it stay lines of the chart. Then a sphere's axes
+// follow a spiral over half of it, which spreads them evenly, as the corners of a torus are spread
+// over its chart; turns by the golden angle have no symmetry.
 ChartMove move_of(ChartKind kind, int number) {
-  const double golden = std::fmod((number + 0.5) * pi * (3 - std::sqrt(5.0)), 2 * pi);
-  const double share = (number + 0.5) / kTurns;
-  switch (kind) {
-    case ChartKind::Ball: return {gp_Dir(std::cos(golden), std::sin(golden), 0), std::acos(share)};
-    case ChartKind::Ring: return {gp::DZ(), golden, 2 * pi * share};
-    case ChartKind::Turned: break;
-  }
-  return {gp::DZ(), golden};
+  const int turn = number % kTurns;
+  const double golden = std::fmod((turn + 0.5) * pi * (3 - std::sqrt(5.0)), 2 * pi);
+  const double share = (turn + 0.5) / kTurns;
+  if (number < kTurns) return {gp::DZ(), golden};
+  if (kind == ChartKind::Ring) return {gp::DZ(), golden, 2 * pi * share};
+  return {gp_Dir(std::cos(golden), std::sin(golden), 0), std::acos(share)};
 }
 
 // Nothing if none is better than to leave the chart as it is.
@@ -195,7 +194,8 @@ std::optional<ChartMove> better_move(const FreeChart& chart, const Surroundings&
   const double least = kClear * chart.size;
   Hazards best = hazards_of(chart.seams, least, near);
   std::optional<ChartMove> found;
-  for (int number = 0; number < kTurns && best > Hazards{}; ++number) {
+  const int moves = chart.kind == ChartKind::Turned ? kTurns : 2 * kTurns;
+  for (int number = 0; number < moves && best > Hazards{}; ++number) {
     const ChartMove move = move_of(chart.kind, number);
     const Hazards left = hazards_of(moved_seams(chart, move), least, near);
     if (left >= best) continue;

@@ -72,6 +72,20 @@ double distance(const TopoDS_Face& face, const TopoDS_Shape& from, TopAbs_ShapeE
   return least;
 }
 
+// The ring's seam goes through the ball on the ball's own: the ball turns about its axis alone, so
+// that the circles in which they meet stay parallels of both.
+TEST(ClearCharts, KeepTheAxisOfABallWhereOnlyItsSeamIsInTheWay) {
+  const TrimTool ball = trim_tool(ball_at({0, 0, 0}, 5));
+  const TrimTool ring = trim_tool(BRepPrimAPI_MakeTorus(6, 2).Shape());
+  const ClearCharts made = clear_charts(ball, ring);
+  ASSERT_EQ(made.turned.size(), 1u);
+  const auto surface =
+      Handle(Geom_SphericalSurface)::DownCast(BRep_Tool::Surface(made.turned.front().first));
+  ASSERT_FALSE(surface.IsNull());
+  EXPECT_TRUE(surface->Position().Direction().IsEqual(gp::DZ(), 1e-15));
+  EXPECT_FALSE(surface->Position().XDirection().IsEqual(gp::DX(), 0.1));
+}
+
 // Its pole lies on the wall, 2 from the axis of a cylinder of radius 2.
 TEST(ClearCharts, KeepPolesOffFaces) {
   const TrimTool ball = trim_tool(ball_at({2, 0, 1}, 1));
