@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "core/base/errors.h"
@@ -142,6 +143,58 @@ SplineOf<Point> appended(SplineOf<Point> first, const SplineOf<Point>& second) {
   return first;
 }
 
+// Two Bezier pieces, on [z, a] and [a, b], whose control points follow one another.
+template <class Point>
+struct PiecePair {
+  const Point* left;  // degree + 1 each, the last of the left ones is the first of the right ones
+  const Point* right;
+  double z, a, b;
+  std::size_t degree;
+
+  // The blossom at z, at a as often as degree - 2, and at b, if both pieces have it.
+  std::optional<Point> shared(double rounding) const {
+    const Point &before = left[degree - 2], &after = right[2];
+    const Point from_left = before + ((b - z) / (a - z)) * (left[degree - 1] - before);
+    const Point from_right = after + ((b - z) / (b - a)) * (right[1] - after);
+    const Point both = 0.5 * (from_left + from_right);
+    const double s = (a - z) / (b - z);
+    const Point last = before + s * (both - before), first = both + s * (after - both);
+    const Point middle = last + s * (first - last);
+    const bool same = distance(last, left[degree - 1]) <= rounding &&
+                      distance(first, right[1]) <= rounding &&
+                      distance(middle, right[0]) <= rounding;
+    return same ? std::optional(both) : std::nullopt;
+  }
+};
+
+template <class Point>
+SplineOf<Point> sparse(const SplineOf<Point>& spline) {
+  const auto p = static_cast<std::size_t>(spline.degree);
+  const auto& knots = spline.knots;
+  const auto is_full = [&](int times) { return times == spline.degree; };
+  if (p < 3 ||
+      !std::all_of(spline.multiplicities.begin() + 1, spline.multiplicities.end() - 1, is_full))
+    return spline;
+  double largest = 0;
+  for (const Point& point : spline.points) largest = std::max(largest, max_norm(point));
+  SplineOf<Point> made{spline.degree, knots, spline.multiplicities, {}};
+  made.points.assign(spline.points.begin(), spline.points.begin() + 2);
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const Point *left = &spline.points[p * i], *right = left + p;
+    made.points.insert(made.points.end(), left + 2, left + p - 1);
+    if (i + 2 == knots.size()) break;
+    const PiecePair<Point> pieces{left, right, knots[i], knots[i + 1], knots[i + 2], p};
+    if (const auto point = pieces.shared(kSmoothJoin * largest)) {
+      made.multiplicities[i + 1] -= 2;
+      made.points.push_back(*point);
+    } else {
+      made.points.insert(made.points.end(), {left[p - 1], right[0], right[1]});
+    }
+  }
+  made.points.insert(made.points.end(), spline.points.end() - 2, spline.points.end());
+  return made;
+}
+
 }  // namespace
 
 bool is_span(const Interval& part, const Interval& domain) {
@@ -158,5 +211,8 @@ Spline2 restricted(const Spline2& spline, const Interval& part) { return part_of
 
 Spline joined(const Spline& first, const Spline& second) { return appended(first, second); }
 Spline2 joined(const Spline2& first, const Spline2& second) { return appended(first, second); }
+
+Spline without_idle_knots(const Spline& spline) { return sparse(spline); }
+Spline2 without_idle_knots(const Spline2& spline) { return sparse(spline); }
 
 }  // namespace blossom

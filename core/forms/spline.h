@@ -55,4 +55,16 @@ Spline2 restricted(const Spline2& spline, const Interval& part);
 Spline joined(const Spline& first, const Spline& second);
 Spline2 joined(const Spline2& first, const Spline2& second);
 
+/// Of the largest coordinate of a spline: pieces whose control points differ by no more from those
+/// of a join with continuous curvature have one. What Hermite's data are rounded by is below.
+inline constexpr double kSmoothJoin = 0x1p-40;
+
+/// A spline of Bezier pieces without the copies of knots that it does not need: where two pieces
+/// have the same first and second derivative, to `kSmoothJoin`, their knot stands degree - 2 times.
+/// Points move by no more than that. Splines that are not in such pieces, or of a degree below 3,
+/// come back as they are.
+/// Source: Ramshaw 1989, Proposition 9.1: the new control points are blossoms.
+Spline without_idle_knots(const Spline& spline);
+Spline2 without_idle_knots(const Spline2& spline);
+
 }  // namespace blossom

@@ -21,9 +21,6 @@ constexpr int kHalvings = 60;     // of the interval between two samples
 constexpr double kBeside = 1e-7;  // of a part: how far from its ends charts are looked at
 constexpr double kSame = 1e-9;    // of a part: cuts so near are one
 constexpr double kFit = 2e-2;     // of the slack: what a spline may be off
-// Halving gains a factor of 64: with pieces that are off, those are halved that it brings near the
-// error of the others.
-constexpr double kHalved = 1.0 / 64;
 constexpr int kMinPieces = 4, kMaxPieces = 512;
 
 std::array<Vec3, 3> jet_of(const ClosedForm& form, double t) {
@@ -393,8 +390,9 @@ std::optional<IntersectionCurve> FormImages::curve_on(const Interval& part) cons
       raise(curve.deviation, here);
       curve.deviation.conic = std::max(curve.deviation.conic, here.conic);
       const double most = std::max({here.a, here.b, here.conic});
-      is_off = is_off || most > kFit * slack_;
-      if (most > kHalved * kFit * slack_) finer.push_back(middle);
+      const bool here_off = most > kFit * slack_;
+      is_off = is_off || here_off;
+      if (here_off) finer.push_back(middle);
       finer.push_back(knots[i + 1]);
     }
     off = std::max({curve.deviation.a, curve.deviation.b, curve.deviation.conic});

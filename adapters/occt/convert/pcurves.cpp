@@ -169,7 +169,7 @@ PlanarCurve planar_curve(const Handle(Geom2d_Curve) & curve, const Interval& ran
 }
 
 Handle(Geom2d_Curve) simplest_to_occt(const Spline2& spline, const Vec2& scale) {
-  if (!is_even_line(spline)) return to_occt(spline);
+  if (!is_even_line(spline)) return to_occt(without_idle_knots(spline));
   const Interval domain = spline.domain();
   const Vec2 from = spline.points.front();
   const Vec2 to = without_rounding(from, spline.points.back(), scale);

@@ -24,8 +24,8 @@ bool is_periodic_spline(const Handle(Geom2d_Curve) & curve);
 /// The box of a curve over a finite range, in u and in v; of splines it may be a little wider.
 std::array<Interval, 2> bounds_of(const Handle(Geom2d_Curve) & curve, const Interval& range);
 
-/// The spline with the same parameter, an even line as a line: but where Open CASCADE would take it
-/// for an isoparametric line that it is not, as a spline of one span.
+/// The spline with the same parameter, without idle knots, an even line as a line: but where Open
+/// CASCADE would take it for an isoparametric line that it is not, as a spline of one span.
 ///
 /// scale    model units per parameter, in u and in v; about
 /// throws   Failure if Open CASCADE refuses the knots or the number of points
