@@ -96,7 +96,7 @@ CurveSurfaceIntersection intersect(const TopoDS_Edge& edge, const TopoDS_Face& f
   if (found.status == Status::Stopped) return found;
   std::vector<std::string>& reasons = found.certificate.reasons;
   if (!contacts) std::erase(reasons, kContactsWithinTolerance);  // they were outside of the trims
-  if (!on_wires.empty()) reasons.emplace_back("points on a wire of the face");
+  if (!on_wires.empty()) reasons.emplace_back(kPointsOnWires);
   found.status = reasons.empty() ? Status::Complete : Status::Tolerance;
   return found;
 }

@@ -15,6 +15,9 @@
 
 namespace blossom::occt {
 
+/// Why a result is within tolerance in which points are on a wire of the face.
+inline constexpr const char* kPointsOnWires = "points on a wire of the face";
+
 /// All common points of two edges. Seams and ends of closed edges count as points of the curves.
 /// throws   BadModel as `bezier_spans` (convert/curves.h)
 CurveIntersection intersect(const TopoDS_Edge& a, const TopoDS_Edge& b,

@@ -46,7 +46,10 @@ struct EdgeIntersection {
 ///   (1) what is nearer than the tolerance, or than what the two state, is a common point
 ///   (2) stretches begin and end where edge and shape part, or where the edge comes to the next
 ///       face
-///   (3) once a limit is reached the status is Stopped; what was found of other edges is kept
+///   (3) contacts by `one_within` (core/base/tolerances.h) are decided, others make the status
+///       Tolerance; runs only of lines and circles with each other and in elementary surfaces, or
+///       proven by coefficients
+///   (4) once a limit is reached the status is Stopped; what was found of other edges is kept
 ///
 /// throws   BadModel if an edge has no curve in space, or if it comes near a face that cannot be
 ///          converted

@@ -22,6 +22,8 @@
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
+#include "adapters/occt/wires/exact_meeting.h"
+#include "core/base/tolerances.h"
 #include "core/curves/curve_closing.h"
 
 namespace blossom::occt {
@@ -153,10 +155,16 @@ struct EdgeMeetings {
   std::vector<std::string> reasons;
   bool open = false;
 
+  // decided   whether what was found in contacts is no matter of the tolerance
   template <class Found>
-  void add_state(const Found& found) {
-    status = weaker(status, found.status);
-    for (const std::string& reason : found.certificate.reasons) add_reason(reason);
+  void add_state(const Found& found, bool decided) {
+    bool contacts_alone = found.status == Status::Tolerance;
+    for (const std::string& reason : found.certificate.reasons) {
+      const bool contact = reason == kContactsWithinTolerance || reason == kPointsOnWires;
+      if (!contact || !decided) add_reason(reason);
+      contacts_alone = contacts_alone && contact;
+    }
+    if (!decided || !contacts_alone) status = weaker(status, found.status);
     open = open || found.status == Status::Stopped ||
            std::ranges::count(found.places, PlaceKind::Open, &CurvePlace::kind) > 0;
   }
@@ -212,6 +220,15 @@ EdgeDivider::EdgeDivider(const TopoDS_Shape& shape, const std::vector<TopoDS_Sol
 
 EdgeDivider::~EdgeDivider() = default;
 
+// `one_within` of what two boxes hold.
+double EdgeDivider::within(const Bnd_Box& a, const Bnd_Box& b) const {
+  double largest = 0;
+  for (const Bnd_Box& box : {a, b})
+    for (const gp_Pnt& corner : {box.CornerMin(), box.CornerMax()})
+      largest = std::max(largest, max_norm(vec(corner)));
+  return one_within({tolerance_}, largest);
+}
+
 void EdgeDivider::meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met) {
   for (std::size_t i = 0; i < shape_->faces.size() && !met.open; ++i) {
     const auto& [face, box] = shape_->faces[i];
@@ -219,15 +236,16 @@ void EdgeDivider::meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met) {
     if (box.IsOut(enlarged(met.box, reach))) continue;
     if (limit_.is_reached()) return met.stop();
     // What lies in the surface as a whole ends in it where it meets the face's edges.
+    const ExactMeeting exact(edge, within(met.box, box), reach);
     if (CurveBeside(met.of.curve, met.of.range, chart_of(i).feet).is_one_run(reach, reach)) {
-      met.add_contacts();
+      if (!exact.lies_in(face, chart_of(i).feet, met.of.range)) met.add_contacts();
       met.in_surfaces.push_back({i, reach});
       continue;
     }
     IntersectionOptions options = limit_.remaining_alone();
     options.tolerances.point = reach;
     const CurveSurfaceIntersection found = intersect(edge, face, options);
-    met.add_state(found);
+    met.add_state(found, exact.decides(found, face, chart_of(i).feet));
     for (const CurveSurfacePoint& point : found.points)
       met.stops.push_back({point.t, reach, true, face});
     bool lies = false;  // a touch is one place
@@ -259,7 +277,7 @@ void EdgeDivider::meet_edges(const TopoDS_Edge& edge, EdgeMeetings& met) {
     IntersectionOptions options = limit_.remaining_alone();
     options.tolerances.point = reach;
     const CurveIntersection found = intersect(edge, other, options);
-    met.add_state(found);
+    met.add_state(found, ExactMeeting(edge, within(met.box, box), reach).decides(found, other));
     for (const CurvePoint& point : found.points) met.stops.push_back({point.a, reach, true, other});
     for (const CurveOverlap& run : found.overlaps) {
       met.add_run(run.a, reach, true, other);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <Bnd_Box.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Solid.hxx>
@@ -91,6 +92,7 @@ class EdgeDivider {
 
  private:
   EdgeMeetings meetings_of(const TopoDS_Edge& edge);
+  double within(const Bnd_Box& a, const Bnd_Box& b) const;
   void meet_faces(const TopoDS_Edge& edge, EdgeMeetings& met);
   void meet_edges(const TopoDS_Edge& edge, EdgeMeetings& met);
   void meet_vertices(EdgeMeetings& met) const;

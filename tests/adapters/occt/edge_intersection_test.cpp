@@ -152,6 +152,36 @@ TEST(EdgeIntersection, TwoEdgesOnOneFaceThatTouchEndToEndHaveNoPointBesides) {
   EXPECT_TRUE(met.points.empty());
 }
 
+TEST(EdgeIntersection, WhatIsDecidedExactlyIsComplete) {
+  const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(2, 5).Shape();
+  const auto status = [](const TopoDS_Edge& edge, const TopoDS_Shape& shape) {
+    return intersect_edges({edge}, shape).status;
+  };
+  EXPECT_EQ(status(segment({-1, 2, 5}, {1, 2, 3}), cube()), Status::Complete);    // an edge
+  EXPECT_EQ(status(segment({-1, -1, -1}, {6, 6, 6}), cube()), Status::Complete);  // two corners
+  EXPECT_EQ(status(segment({1, 2, 4}, {1, 2, 9}), cube()), Status::Complete);     // its own end
+  EXPECT_EQ(status(segment({-2, 1, 4}, {6, 1, 4}), cube()), Status::Complete);    // in a face
+  EXPECT_EQ(status(segment({1, 4, 4}, {9, 4, 4}), cube()), Status::Complete);     // along an edge
+  EXPECT_EQ(status(ring({2, 2, 4}, {0, 0, 1}, 1), cube()), Status::Complete);
+  EXPECT_EQ(status(segment({-4, 2, 1}, {4, 2, 1}), pin), Status::Complete);  // a touch
+  EXPECT_EQ(status(segment({-4, 0, 6}, {0, 0, 4}), pin), Status::Complete);  // its rim
+  EXPECT_EQ(status(ring({0, 0, 1}, {0, 0, 1}, 2), pin), Status::Complete);
+  EXPECT_EQ(status(segment({0, 0, -4}, {0, 0, 4}), BRepPrimAPI_MakeSphere(3.).Shape()),
+            Status::Complete);  // its poles
+}
+
+TEST(EdgeIntersection, WhatIsApartByLessThanTheToleranceIsNotDecided) {
+  const double off = 4e-8;
+  const auto status = [](const TopoDS_Edge& edge) {
+    return intersect_edges({edge}, cube()).status;
+  };
+  EXPECT_EQ(status(segment({-1, 2, 5 + off}, {1, 2, 3 + off})), Status::Tolerance);
+  EXPECT_EQ(status(segment({-1, 2, 5 - off}, {1, 2, 3 - off})), Status::Tolerance);
+  EXPECT_EQ(status(segment({1, 2, 4 + off}, {1, 2, 9})), Status::Tolerance);
+  EXPECT_EQ(status(segment({-2, 1, 4 + off}, {6, 1, 4 + off})), Status::Tolerance);
+  EXPECT_EQ(status(segment({1, 4 + off, 4}, {9, 4 + off, 4})), Status::Tolerance);
+}
+
 TEST(EdgeIntersection, AReachedLimitIsSaid) {
   IntersectionOptions options;
   options.cancelled = [] { return true; };
