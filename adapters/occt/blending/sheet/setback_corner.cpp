@@ -267,11 +267,10 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
   builder.UpdateEdge(edge, made.chart, body_.face(face), Precision::Confusion());
   builder.Range(edge, 0, 1);
   edge.Orientation(TopAbs_REVERSED);
-  const FillContinuity continuity = made.side.continuity;
-  made.side = hole_side({ring[sector].half.edge, edge, body_.face(face), false}, continuity,
-                        {.point = tolerance_, .angle = kCreaseAngle})
+  // A fit has the parameter of the chart; an exact arc would have one of its own.
+  made.side = fitted_hole_side({ring[sector].half.edge, edge, body_.face(face), false},
+                               made.side.continuity, {.point = tolerance_, .angle = kCreaseAngle})
                   .side;
-  made.side.continuity = continuity;
   return made;
 }
 
