@@ -24,11 +24,14 @@
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
 #include "tests/adapters/occt/fillet_checks.h"
+#include "tests/adapters/occt/fillet_volumes.h"
 
 namespace blossom::occt {
 namespace {
 
+using testing::expect_change;
 using testing::expect_sound;
+using testing::kCut;
 using testing::told;
 
 constexpr double kSmoothFill = 2e-6;  // radians: what strips and fills keep together
@@ -133,6 +136,20 @@ TEST(TightCorner, IsNearTheSphereOfTheBallWhereTheRoundingHasNearlyItsRadius) {
   EXPECT_NEAR(taken(3.0001), at_radius, 1e-2 * at_radius);
   EXPECT_LT(at_radius, taken(4));
   EXPECT_LT(taken(4), taken(5));
+}
+
+// As one that files tell in seven digits.
+TEST(TightCorner, IsTheSphereOfTheBallWhereTheRoundingHasItsRadiusButForDigits) {
+  const double change = 34 * 9 * kCut + 27 * M_PI * (1.0 / 4 - 1.0 / 6);
+  for (const double off : {-9e-7, -1e-8, 1e-8, 9e-7}) {
+    const TopoDS_Shape block = rounded_block(20, 20, 10, 3 + off, 1);
+    const FilletResult made = fillet(block, {straight_edge_at(block, 10, 16)}, {.radius = 3});
+    expect_change(made, -change, 1e-5);
+    expect_sound(made);
+    EXPECT_TRUE(made.notes.empty()) << off;
+    ASSERT_FALSE(HasFailure()) << off;
+    EXPECT_EQ(creases_of(made.solids.front()), 2) << off;  // at its ends
+  }
 }
 
 TEST(TightCorner, OfTheFloorOfAPocketIsFilledSmoothly) {

@@ -96,6 +96,11 @@ Handle(Geom2d_Curve)
   return followed_section(curve, range, strip, t);
 }
 
+// Whether a contact is a point in which the ball turns.
+bool stays(const RolledContact& contact) {
+  return contact.curve->DN(contact.curve->FirstParameter(), 1).Magnitude() == 0;
+}
+
 }  // namespace
 
 // Where a strip ends that another one goes on from: on the edge that the contact goes over there;
@@ -128,7 +133,11 @@ void BlendSheet::join(const Joint& joint) {
   for (const std::size_t walking : {0U, 1U}) {
     const std::size_t side = joint.before.end == 1 ? walking : 1 - walking;
     const std::size_t side_after = joint.after.end == 0 ? walking : 1 - walking;
-    const TopoDS_Vertex vertex = joint_vertex(of, side, t, joint.walked.over[walking]);
+    // Where the ball turns on the spot both ends of its strip have to be in one vertex.
+    const bool of_next = !joint.walked.over[walking] && stays(next.strip.contacts[side_after]);
+    const TopoDS_Vertex vertex = of_next ? joint_vertex(next, side_after, t_after, {})
+                                         : joint_vertex(of, side, t, joint.walked.over[walking]);
+    cover(vertex, vec(of.strip.contacts[side].curve->Value(t)), Precision::Confusion());
     cover(vertex, vec(next.strip.contacts[side_after].curve->Value(t_after)),
           Precision::Confusion());
     end.vertices[side] = begin.vertices[side_after] = vertex;

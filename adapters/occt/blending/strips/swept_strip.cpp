@@ -26,6 +26,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/strips/face_contacts.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/faces/elementary_faces.h"
@@ -46,7 +47,7 @@ constexpr double kLessBeyond = 0.75;
 constexpr double kMinBeyond = 0.1;
 constexpr int kStarts = 32;       // directions in which the start of a closed strip is looked for
 constexpr double kMinGap = 1e-2;  // of a turn, radians: what an open strip leaves free
-constexpr double kOnAxis = 1e-9;  // of the radius: a torus so small is a sphere
+constexpr double kOnAxis = 1e-9;  // of the radius: so near to the axis is on it
 
 // The plane across the edge at its middle; the edge's direction is x cross y for a line. Round an
 // axis y is the axis, x points away from it, and the origin lies on it.
@@ -327,15 +328,21 @@ RolledStrip along(const Rolling& of, const Vec3& axis, const Interval& edge_rang
   return strip;
 }
 
+// How near to the axis a ball turns on the spot, and leaves a sphere. Radii in files have few
+// digits: a torus of less than what counts as one place would have a border of less than that.
+double on_axis(double radius) {
+  return std::max(kOnAxis * radius, kSamePlace * Precision::Confusion());
+}
+
 // axis   along y of the section
 // beyond   how far an open strip goes on, in widths
 RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, const Vec3& start,
                   double beyond) {
-  const Vec2 centre = of.centre();
+  Vec2 centre = of.centre();
   std::array<Vec2, 2> feet{of.sides[0].profile.foot(centre), of.sides[1].profile.foot(centre)};
-  for (Vec2& each : feet)  // of a ball that turns on the spot
-    if (std::abs(each[0]) <= kOnAxis * of.radius) each[0] = 0;
-  if (centre[0] < -kOnAxis * of.radius || feet[0][0] < 0 || feet[1][0] < 0)
+  for (Vec2* each : {&centre, &feet[0], &feet[1]})
+    if (std::abs((*each)[0]) <= on_axis(of.radius)) (*each)[0] = 0;
+  if (centre[0] < 0 || feet[0][0] < 0 || feet[1][0] < 0)
     of.refuse("the ball is too large for the circle that it rolls along: it would reach its axis");
   const Section& in = of.section;
   RolledStrip strip = strip_of(of);
@@ -352,12 +359,11 @@ RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, co
   };
   const std::array<double, 2> w = angles(feet, centre);
   const gp_Ax3 frame(frame_at_height(centre[1]));
-  if (centre[0] <= kOnAxis * of.radius)
+  if (centre[0] == 0)
     strip.surface = new Geom_SphericalSurface(frame, of.radius);
   else
     strip.surface = new Geom_ToroidalSurface(frame, centre[0], of.radius);
-  strip.spine =
-      new Geom_Circle(frame_at_height(centre[1]), centre[0] <= kOnAxis * of.radius ? 0 : centre[0]);
+  strip.spine = new Geom_Circle(frame_at_height(centre[1]), centre[0]);
   for (std::size_t k = 0; k < 2; ++k)
     add_contact(of, k, new Geom_Circle(frame_at_height(feet[k][1]), feet[k][0]), w[k], strip);
   return strip;
