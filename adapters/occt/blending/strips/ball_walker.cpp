@@ -167,6 +167,9 @@ WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double f
     if ((goes_on_alike || ends_shared) &&
         (!side || !is_nearer(first[*side]->t, edge_end - ahead * same_place(of, edge_end))))
       return {edge_end, {}, ends_shared};
+    if (turns_to_next(of, place, step) &&
+        (!side || is_nearer(edge_end + ahead * same_place(of, edge_end), first[*side]->t)))
+      return {edge_end, {}, false};
     if (side && holds(of, first[*side]->t, *first[*side]))
       return onto_edge(of, *side, *first[*side], step);
     if (side && !goes_over(*side)) {
@@ -208,6 +211,19 @@ std::optional<std::size_t> BallWalker::place_with(const std::array<int, 2>& face
   return std::nullopt;
 }
 
+// A contact at an exit, in the face behind it.
+Vec2 BallWalker::chart_behind(const WalkedStrip& of, const WalkExit& exit, std::size_t side) const {
+  const auto& over = exit.over[side];
+  if (!over) {
+    const gp_Pnt2d uv = of.strip.contacts[contact_at(of, side)].chart->Value(exit.t);
+    return {uv.X(), uv.Y()};
+  }
+  const EdgeUseInFace& use = body_.use(over->use->edge, !over->use->forward);
+  const Vec2 chart = point_at(use.coedge->curve, over->edge_parameter);
+  const Vec2 scale = body_.trims(use.face).scale;
+  return {chart[0] / scale[0], chart[1] / scale[1]};
+}
+
 WalkedStrip BallWalker::pair_strip(const WalkedStrip& of, const WalkExit& exit,
                                    const std::array<int, 2>& faces, std::size_t place,
                                    bool as_loop) {
@@ -223,14 +239,7 @@ WalkedStrip BallWalker::pair_strip(const WalkedStrip& of, const WalkExit& exit,
       ball.held_at[side] = nearest_on_edge(body_, exit.held[side], vec(contact));
       continue;
     }
-    const gp_Pnt2d uv = of.strip.contacts[contact_at(of, side)].chart->Value(exit.t);
-    ball.charts[side] = {uv.X(), uv.Y()};
-    const auto& over = exit.over[side];
-    if (!over) continue;
-    const EdgeUseInFace& use = body_.use(over->use->edge, !over->use->forward);
-    const Vec2 chart = point_at(use.coedge->curve, over->edge_parameter);
-    const Vec2 scale = body_.trims(use.face).scale;
-    ball.charts[side] = {chart[0] / scale[0], chart[1] / scale[1]};
+    ball.charts[side] = chart_behind(of, exit, side);
   }
   const auto profile = profiles_.everywhere();
   if (!profile)
@@ -310,7 +319,9 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
     if (came_back_) return {std::move(known), t};
   }
   const bool leans = exit.held != std::array<int, 2>{};
-  const auto there = leans ? std::nullopt : place_with(faces, place, step);
+  // A chamfer that crosses no edge goes on beside the next one of the run, whatever its faces.
+  const bool turns = options_.fillet.chamfer && !exit.over[0] && !exit.over[1];
+  const auto there = leans || turns ? std::nullopt : place_with(faces, place, step);
   if (there) {
     auto known = strip_if_any(*there);
     if (known && !known->strip.closed && reaches(*known, of, exit.t, reach, t)) {
@@ -318,6 +329,7 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
       return {*std::move(known), t};
     }
   }
+  if (options_.fillet.chamfer) return chamfer_following(of, exit, faces, place, step);
   WalkedStrip made = pair_strip(of, exit, faces, there.value_or(place));
   if (!made.strip.closed && reaches(made, of, exit.t, reach, t)) return {std::move(made), t};
   refuse(FilletFault::Corner, place, "the ball does not go on over an edge beside it", centre);

@@ -116,10 +116,15 @@ class BallWalker {
   std::vector<Notch> notches_beside(const WalkedStrip& of, std::size_t contact,
                                     const std::vector<ContactCrossing>& crossed) const;
   std::array<int, 2> faces_behind(const WalkedStrip& of, const WalkExit& exit) const;
+  Vec2 chart_behind(const WalkedStrip& of, const WalkExit& exit, std::size_t side) const;
   std::optional<std::size_t> place_with(const std::array<int, 2>& faces, std::size_t place,
                                         int step) const;
   WalkedStrip pair_strip(const WalkedStrip& of, const WalkExit& exit,
                          const std::array<int, 2>& faces, std::size_t place, bool as_loop = false);
+  bool turns_to_next(const WalkedStrip& of, std::size_t place, int step) const;
+  std::pair<WalkedStrip, double> chamfer_following(const WalkedStrip& of, const WalkExit& exit,
+                                                   const std::array<int, 2>& faces,
+                                                   std::size_t& place, int step);
   double same_place(const WalkedStrip& of, double t) const;
   bool grow(WalkedStrip& of, bool at_start) const;
   bool grow_past(WalkedStrip& of, double t, int ahead) const;

@@ -367,7 +367,8 @@ EdgePlace Chamfering::on_edge(double x) const {
     const EdgeUseInFace& use = body.use(edge, k == 0);
     const BodyEdges::Corner corner = body.corner(use, x);
     const Vec2 chart = point_at(use.coedge->curve, x), scale = body.trims(use.face).scale;
-    place.sides[k] = {corner.normal, corner.inwards, {chart[0] / scale[0], chart[1] / scale[1]}};
+    place.sides[k] = {corner.normal, corner.inwards,
+                      near[k].value_or(Vec2{chart[0] / scale[0], chart[1] / scale[1]})};
   }
   return place;
 }
@@ -467,7 +468,7 @@ std::optional<std::array<BorderPoint, 2>> Chamfering::at_edge(double x) const {
 
 FittedBorders fitted_borders(const Chamfering& of, const Interval& range) {
   BorderFit fit(of);
-  const Interval inside{std::max(range.from, of.domain.from), std::min(range.to, of.domain.to)};
+  const Interval inside{std::max(range.from, of.sure.from), std::min(range.to, of.sure.to)};
   const std::vector<double> breaks = breaks_of(of, inside);
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) fit.add({breaks[i], breaks[i + 1]});
   for (const Interval& past : {Interval{inside.from, range.from}, Interval{inside.to, range.to}})

@@ -64,6 +64,11 @@ struct Chamfering {
   ChamferProfile profile;
   Handle(Geom_Curve) curve{};
   Interval domain{};
+  /// Where borders have to be: of strips on other faces than the edge's a part of the domain.
+  Interval sure{};
+  std::array<int, 2> faces{};
+  /// Parameters of a point near the border of another face than the edge's.
+  std::array<std::optional<Vec2>, 2> near{};
   std::array<Handle(Geom_Surface), 2> surfaces{};
   std::array<std::optional<SurfaceProjector>, 2> feet{};  ///< of elementary surfaces
 
@@ -98,7 +103,7 @@ struct FittedBorders {
 };
 
 /// Pieces are halved until rows leave the borders, and the images of charts leave the rows, by no
-/// more than 1e-8 model units. Past an end of the edge the range ends where borders do.
+/// more than 1e-8 model units. Past what is sure the range ends where borders do.
 ///
 /// throws   FilletRefused where the edge has no borders, or none that pieces come near to
 ///

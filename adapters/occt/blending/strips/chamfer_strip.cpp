@@ -48,7 +48,7 @@ struct Borders {
   std::array<std::vector<BorderPoint>, 2> points;
 };
 
-// Those of the edge, and as far beyond it as there are points on both faces.
+// Those that have to be, and as far beyond as there are points on both faces.
 Borders borders_over(const Chamfering& of, const Interval& wanted) {
   using Row = std::pair<double, std::array<BorderPoint, 2>>;
   std::vector<Row> rows;
@@ -61,7 +61,7 @@ Borders borders_over(const Chamfering& of, const Interval& wanted) {
     }
   };
   const auto add_on_edge = [&](int step) {
-    const double x = at(of.domain, static_cast<double>(step) / kSteps);
+    const double x = at(of.sure, static_cast<double>(step) / kSteps);
     const auto both = of.at_edge(x);
     if (!both) of.refuse(kNoBorderPoint, x);
     rows.emplace_back(x, *both);
@@ -69,8 +69,8 @@ Borders borders_over(const Chamfering& of, const Interval& wanted) {
   add_on_edge(0);
   add_on_edge(kSteps);
   for (int i = 1; i < kSteps; ++i) add_on_edge(i);
-  add_from(of.domain.from, wanted.from);
-  add_from(of.domain.to, wanted.to);
+  add_from(of.sure.from, wanted.from);
+  add_from(of.sure.to, wanted.to);
   std::ranges::sort(rows, {}, &Row::first);
   Borders made;
   for (const auto& [x, both] : rows) {
@@ -107,7 +107,7 @@ void check_ways(const Chamfering& of, const Borders& borders) {
       if (dot(way, unit(vec(of.curve->DN(x, 1)))) > 0) continue;
       throw FilletRefused({FilletFault::Pinch, of.edge,
                            "the edge is bent so much that the chamfer's border on face " +
-                               std::to_string(of.body.use(of.edge, k == 0).face) +
+                               std::to_string(of.faces[k]) +
                                " turns back: the distance is too large",
                            x, borders.points[k][i].point, std::nullopt});
     }
@@ -135,7 +135,7 @@ Handle(Geom_BSplineSurface)
 void set_contact(const Chamfering& of, const FittedBorders& borders, std::size_t side,
                  const Handle(Geom_Curve) & curve, RolledStrip& strip) {
   RolledContact& contact = strip.contacts[side];
-  contact.face = of.body.use(of.edge, side == 0).face;
+  contact.face = of.faces[side];
   contact.curve = curve;
   contact.chart = to_occt(borders.charts[side]);
   contact.w = static_cast<double>(side);
@@ -168,7 +168,7 @@ Handle(Geom2d_Curve) standing_chart(const Vec2& uv, const Interval& range) {
 
 void add_border(const Chamfering& of, std::size_t side, const Handle(Geom_Curve) & curve, double w,
                 const BorderPoint& middle, RolledStrip& strip) {
-  const int number = of.body.use(of.edge, side == 0).face;
+  const int number = of.faces[side];
   Handle(Geom2d_Curve) chart;
   const auto circle = Handle(Geom_Circle)::DownCast(curve);
   if (!circle.IsNull() && circle->Radius() == 0) {
@@ -247,7 +247,7 @@ bool set_round(const Chamfering& of, const Borders& borders, const gp_Circ& circ
 }
 
 bool points_outwards(const Chamfering& of, const RolledStrip& strip) {
-  const double x = at(of.domain, 0.5);
+  const double x = at(of.sure, 0.5);
   const double w = 0.5 * (strip.contacts[0].w + strip.contacts[1].w);
   const SurfaceJet frame = frame_at(strip.surface, strip.chart(x, w));
   const Vec3 out = of.body.corner(of.body.use(of.edge, true), x).normal +
@@ -255,45 +255,79 @@ bool points_outwards(const Chamfering& of, const RolledStrip& strip) {
   return dot(cross(frame.du, frame.dv), out) > 0;
 }
 
-}  // namespace
-
-RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
-                          const ChamferProfile& profile) {
+Chamfering chamfering(const BodyEdges& body, int edge, bool concave, const ChamferProfile& profile,
+                      const std::array<int, 2>& faces) {
   Chamfering of{body, edge, concave, profile};
   of.curve = BRep_Tool::Curve(body.edge(edge), of.domain.from, of.domain.to);
+  of.sure = of.domain;
+  of.faces = faces;
   for (const std::size_t k : {0U, 1U}) {
-    const TopoDS_Face face = body.face(body.use(edge, k == 0).face);
+    const TopoDS_Face face = body.face(faces[k]);
     of.surfaces[k] = BRep_Tool::Surface(face);
     if (is_elementary(of.surfaces[k])) of.feet[k].emplace(face, Precision::Confusion());
   }
+  return of;
+}
+
+// How far strips go on past their edges, in its parameter.
+double beyond_edge(const Chamfering& of, const BRepAdaptor_Curve& form) {
+  const double speed = of.curve->DN(at(of.domain, 0.5), 1).Magnitude();
+  const double beyond =
+      kChamferBeyond * std::max(of.profile.distance[0], of.profile.distance[1]) / speed;
+  if (form.GetType() != GeomAbs_Circle) return beyond;
+  const double left = 2 * std::numbers::pi - length(of.domain);
+  return std::min({beyond, kMaxTurn, std::max(0.25 * left, 0.0)});
+}
+
+// wanted   range of the strip, if borders go so far
+RolledStrip strip_over(const Chamfering& of, const Interval& wanted, bool closed) {
   RolledStrip strip;
-  strip.edge = edge;
-  strip.concave = concave;
-  strip.radius = std::max(profile.distance[0], profile.distance[1]);
+  strip.edge = of.edge;
+  strip.concave = of.concave;
+  strip.radius = std::max(of.profile.distance[0], of.profile.distance[1]);
   strip.is_ball = false;
-  strip.closed = body.vertex({edge, true}).IsSame(body.vertex({edge, false}));
+  strip.closed = closed;
   strip.spine = of.curve;
   strip.edge_range = of.domain;
-  const double speed = of.curve->DN(at(of.domain, 0.5), 1).Magnitude();
-  double beyond = strip.closed ? 0 : kChamferBeyond * strip.radius / speed;
-  const BRepAdaptor_Curve form(body.edge(edge));
-  if (form.GetType() == GeomAbs_Circle) {
-    const double left = 2 * std::numbers::pi - length(of.domain);
-    beyond = std::min({beyond, kMaxTurn, std::max(0.25 * left, 0.0)});
-  }
-  const Interval wanted{of.domain.from - beyond, of.domain.to + beyond};
+  const BRepAdaptor_Curve form(of.body.edge(of.edge));
   const Borders borders = borders_over(of, wanted);
   check_ways(of, borders);
   const bool exact =
       (form.GetType() == GeomAbs_Line && set_plane(of, borders, form.Line(), strip)) ||
       (form.GetType() == GeomAbs_Circle && set_round(of, borders, form.Circle(), strip));
-  const double room = kSameForm * (profile.distance[0] + profile.distance[1]);
+  const double room = kSameForm * (of.profile.distance[0] + of.profile.distance[1]);
   if (!exact && (is_point(borders, 0, room) || is_point(borders, 1, room)))
     of.refuse("the chamfer's border on a face is a point, in which only a cone can end",
-              at(of.domain, 0.5));
+              at(of.sure, 0.5));
   if (!exact) set_fitted(of, {borders.at.front(), borders.at.back()}, strip);
   strip.outward = points_outwards(of, strip);
   return strip;
+}
+
+}  // namespace
+
+RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
+                          const ChamferProfile& profile) {
+  const Chamfering of = chamfering(body, edge, concave, profile,
+                                   {body.use(edge, true).face, body.use(edge, false).face});
+  const bool closed = body.vertex({edge, true}).IsSame(body.vertex({edge, false}));
+  const double beyond = closed ? 0 : beyond_edge(of, BRepAdaptor_Curve(body.edge(edge)));
+  return strip_over(of, {of.domain.from - beyond, of.domain.to + beyond}, closed);
+}
+
+RolledStrip chamfer_strip(const BodyEdges& body, const ChamferPlace& place, bool concave,
+                          const ChamferProfile& profile) {
+  Chamfering of = chamfering(body, place.edge, concave, profile, place.faces);
+  for (const std::size_t k : {0U, 1U})
+    if (place.faces[k] != body.use(place.edge, k == 0).face) of.near[k] = place.charts[k];
+  const BRepAdaptor_Curve form(body.edge(place.edge));
+  const bool goes_past = form.GetType() == GeomAbs_Line || form.GetType() == GeomAbs_Circle;
+  const double beyond = beyond_edge(of, form), past = goes_past ? beyond : 0;
+  const double goal = std::clamp(place.at + (place.ahead ? beyond : -beyond), of.domain.from - past,
+                                 of.domain.to + past);
+  const double first = at(Interval{place.at, goal}, 1.0 / kSteps);
+  of.sure = {std::min(place.at, first), std::max(place.at, first)};
+  return strip_over(of, {std::min(place.at, goal), std::max(place.at, goal)}, false);
 }
 
 }  // namespace blossom::occt

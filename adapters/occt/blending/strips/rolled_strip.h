@@ -117,4 +117,17 @@ RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge
 RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
                           const ChamferProfile& profile);
 
+/// Where a chamfer goes on over another face than its edge's.
+struct ChamferPlace {
+  int edge = 0;                  ///< in the planes across which its borders lie
+  std::array<int, 2> faces{};    ///< of the contacts, to the left of the forward edge and right
+  std::array<Vec2, 2> charts{};  ///< near the borders there
+  double at = 0;                 ///< the edge's parameter
+  bool ahead = true;             ///< the strip goes on to where that grows
+};
+
+/// The same on these faces, from the place on as far as the ends of longer strips go past an edge.
+RolledStrip chamfer_strip(const BodyEdges& body, const ChamferPlace& place, bool concave,
+                          const ChamferProfile& profile);
+
 }  // namespace blossom::occt

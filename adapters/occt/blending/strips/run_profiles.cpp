@@ -75,16 +75,24 @@ RunProfiles::RunProfiles(const BodyEdges& body, const EdgeRun& run, const Fillet
   }
 }
 
+// To the left and right of the forward edge.
+ChamferProfile RunProfiles::chamfer_at(std::size_t place) const {
+  ChamferProfile profile = chamfer_;
+  if (!run_.edges[place].forward) {
+    std::swap(profile.distance[0], profile.distance[1]);
+    profile.given = 1 - profile.given;
+  }
+  return profile;
+}
+
+RolledStrip RunProfiles::chamfer(const BodyEdges& body, std::size_t place,
+                                 const ChamferPlace& at) const {
+  return chamfer_strip(body, at, run_.concave, chamfer_at(place));
+}
+
 RolledStrip RunProfiles::strip(const BodyEdges& body, std::size_t place) const {
   const RunEdge& edge = run_.edges[place];
-  if (options_.chamfer) {
-    ChamferProfile profile = chamfer_;
-    if (!edge.forward) {
-      std::swap(profile.distance[0], profile.distance[1]);
-      profile.given = 1 - profile.given;
-    }
-    return chamfer_strip(body, edge.edge, run_.concave, profile);
-  }
+  if (options_.chamfer) return chamfer_strip(body, edge.edge, run_.concave, chamfer_at(place));
   const StripProfile& profile = of_[place];
   if (profile.is_ball())
     if (auto strip = swept_or_held_strip(body, edge.edge, run_.concave, profile.radius))

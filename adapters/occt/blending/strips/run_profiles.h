@@ -25,10 +25,16 @@ class RunProfiles {
   /// throws   FilletRefused
   RolledStrip strip(const BodyEdges& body, std::size_t place) const;
 
+  /// The strip of a chamfer beside an edge of the run, on other faces than its own.
+  /// throws   FilletRefused
+  RolledStrip chamfer(const BodyEdges& body, std::size_t place, const ChamferPlace& at) const;
+
   /// The profile of strips beside all edges, if it is one.
   std::optional<StripProfile> everywhere() const;
 
  private:
+  ChamferProfile chamfer_at(std::size_t place) const;
+
   const EdgeRun& run_;
   const FilletOptions& options_;
   std::vector<StripProfile> of_;  // by place
