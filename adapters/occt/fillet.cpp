@@ -273,7 +273,7 @@ void make_fillets(Filleting& work, std::vector<FilletEdges>& chains, const Fille
       made = as_many_as_work(work, chains, size_of(options), refuse);
     }
     result.solids = std::move(made.solids);
-    if (made.ends_short) result.status = Status::Tolerance;
+    if (made.is_tolerant) result.status = Status::Tolerance;
     result.notes.insert(result.notes.end(), made.notes.begin(), made.notes.end());
     for (const FilletEdges& chain : chains)
       for (const auto& [edge, concave] : chain) result.edges.push_back(edge);

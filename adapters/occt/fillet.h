@@ -132,7 +132,8 @@ struct FilletedSolid {
 };
 
 struct FilletResult {
-  /// Tolerance if a blend ends before its edge does, which notes say; Stopped when the time limit
+  /// Tolerance if a blend ends before its edge does, or strips along a run of edges do not quite
+  /// meet, which notes say; Stopped when the time limit
   /// or the caller ended the work.
   Status status = Status::Complete;
   /// All solids of the shape, those without fillets as they were; none if anything is refused that

@@ -55,6 +55,30 @@ TEST(FilletOfChangingRadius, GoesByALaw) {
                InvalidInput);
 }
 
+// Evenly along a line and an arc is at two rates along the way of the ball: there its envelope has
+// two sections.
+TEST(FilletOfChangingRadius, TellsThatStripsDoNotQuiteMeetAtAnArc) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(20., 20., 10.).Shape();
+  const TopoDS_Shape block =
+      fillet(box,
+             testing::edges_where(box, EdgeKind::Convex,
+                                  [](const Vec3& at) { return at[0] == 20 && at[1] == 20; }),
+             {.radius = 4})
+          .solids.front()
+          .solid;
+  const std::vector<int> top = testing::edges_where(
+      block, EdgeKind::Convex, [](const Vec3& at) { return at[2] == 10 && at[0] == 20; });
+  ASSERT_EQ(top.size(), 1U);
+  const FilletResult even = fillet(block, top, {.radius = 1});
+  EXPECT_EQ(even.status, Status::Complete);
+  EXPECT_TRUE(even.notes.empty());
+  const FilletResult made = fillet(block, top, {.law = RadiusLaw::linear({0, 1}, 1, 2)});
+  ASSERT_EQ(made.solids.size(), 1U);
+  EXPECT_EQ(made.status, Status::Tolerance);
+  ASSERT_EQ(made.notes.size(), 2U);
+  EXPECT_NE(made.notes.front().find("do not quite meet"), std::string::npos);
+}
+
 // Beside a plane the sections begin without curvature, where circles have that of the ball.
 TEST(FilletOfSection, HasTheCurvaturesOfItsFaces) {
   const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();

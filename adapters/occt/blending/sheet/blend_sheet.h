@@ -90,8 +90,8 @@ class BlendSheet {
   const SheetBorder& border() const { return border_; }
   /// What a user may want to know of how strips end.
   const std::vector<std::string>& notes() const { return notes_; }
-  /// Whether a strip ends before its edge does.
-  bool ends_short() const { return ends_short_; }
+  /// Whether a strip ends before its edge does, or does not quite meet the next one.
+  bool is_tolerant() const { return is_tolerant_; }
   bool is_filleted(int edge) const { return filleted_.count(edge) > 0; }
   EdgeSplits& splits() { return splits_; }
 
@@ -245,6 +245,7 @@ class BlendSheet {
   std::optional<double> stop_beside(const Ring& ring, std::size_t sector, bool on_left);
   double setback_cut(const Ring& ring, std::size_t sector);
   SetbackSide section_side_of(const DirectedEdge& half);
+  void note_gap(int edge, double gap, double apart);
   SetbackSide slanted_side(const DirectedEdge& half);
   SetbackSide path_side(const Ring& ring, std::size_t sector,
                         const std::map<std::size_t, double>& cuts);
@@ -326,7 +327,7 @@ class BlendSheet {
   std::vector<DirectedEdge> done_;
   std::vector<TopoDS_Vertex> made_;  // inside of faces
   std::vector<std::string> notes_;
-  bool ends_short_ = false;
+  bool is_tolerant_ = false;
 };
 
 }  // namespace blossom::occt

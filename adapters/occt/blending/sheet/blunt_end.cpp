@@ -212,7 +212,7 @@ bool BlendSheet::is_walled(const Ring& ring, const std::string& why) {
   note << "edge " << strip.edge << ": its strip ends in a plane across it at " << told_place(place)
        << ", where the faces at its end do not close it: " << why;
   if (rest > tolerance_) note << "; the last " << rest << " mm of the edge stay as they were";
-  ends_short_ = ends_short_ || rest > tolerance_;
+  is_tolerant_ = is_tolerant_ || rest > tolerance_;
   notes_.push_back(note.str());
   return true;
 }

@@ -26,7 +26,7 @@ FilletAttempt attempt(Filleting& work, const FilletEdges& all, double radius) {
     FilletAttempt made{guarded(kFilleting, [&] { return work.made(all, radius); }), {}, {}, {}};
     made.notes = work.notes();
     made.gone_on = work.gone_on();
-    made.ends_short = work.ends_short();
+    made.is_tolerant = work.is_tolerant();
     return made;
   } catch (const FilletRefused& refusal) {
     return {{}, {}, {}, refusal.why()};

@@ -19,7 +19,7 @@ struct FilletAttempt {
   std::vector<std::string> notes;
   std::set<int> gone_on;  ///< as `Filleting::gone_on`
   std::optional<FilletRefusal> why;
-  bool ends_short = false;  ///< as `Filleting::ends_short`
+  bool is_tolerant = false;  ///< as `Filleting::is_tolerant`
 };
 
 /// radius   model units

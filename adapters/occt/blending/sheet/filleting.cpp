@@ -226,7 +226,7 @@ Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   tick();
   TrimmedBody trimmed = trimmed_by_sheet(body_, sheet, tolerance);
   notes_.insert(notes_.end(), sheet.notes().begin(), sheet.notes().end());
-  ends_short_ = ends_short_ || sheet.ends_short();
+  is_tolerant_ = is_tolerant_ || sheet.is_tolerant();
   Grouped grouped{closed(part, trimmed.faces, edges), std::move(trimmed.edges)};
   check_blended(body_, part.solid, grouped.made, edges, sure_change(part, trimmed.faces, edges));
   check_apart(grouped.made, options_.intersection, tick);
@@ -353,7 +353,7 @@ FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group
         " ends where others meet it, and does not go on smoothly beside them: " + why.cause);
   }
   for (const std::string& note : next.notes_) notes_.push_back(in_own_words(note, next, done));
-  ends_short_ = ends_short_ || next.ends_short_;
+  is_tolerant_ = is_tolerant_ || next.is_tolerant_;
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(done.made.solid, TopAbs_EDGE, edges);
   std::set<int> numbers = next.gone_on_;
@@ -412,7 +412,7 @@ std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges, double size
   set_size(size);
   std::vector<FilletedSolid> all;
   notes_.clear();
-  ends_short_ = false;
+  is_tolerant_ = false;
   gone_on_.clear();
   for (const auto& [edge, concave] : edges) part_of(edge);  // refuses edges of no solid
   for (SolidPart& part : parts_) {

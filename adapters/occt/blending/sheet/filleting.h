@@ -82,8 +82,8 @@ class Filleting {
   bool set_volumes(bool wanted) { return std::exchange(options_.volumes, wanted); }
   /// Of what was made last.
   const std::vector<std::string>& notes() const { return notes_; }
-  /// Likewise: whether a blend ends before its edge does.
-  bool ends_short() const { return ends_short_; }
+  /// Likewise: whether a blend ends before its edge does, or does not quite meet another one.
+  bool is_tolerant() const { return is_tolerant_; }
   /// Likewise: edges that were not asked for, in which others go on once there are blends between.
   const std::set<int>& gone_on() const { return gone_on_; }
 
@@ -136,7 +136,7 @@ class Filleting {
   std::vector<SolidPart> parts_;
   std::vector<TopoDS_Face> faces_given_;  // by number
   std::vector<std::string> notes_;
-  bool ends_short_ = false;
+  bool is_tolerant_ = false;
   std::set<int> gone_on_;
   std::set<int> ended_before_;  // edges in which those that are rounded do not go on
   ConeVolumes cones_{Vec3{}};   // over given faces and those of results

@@ -2,6 +2,8 @@
 // Where strips go on in one another: vertices and the arc that both have.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string>
 #include <vector>
 
 #include <BRep_Tool.hxx>
@@ -147,6 +149,18 @@ void BlendSheet::join(const Joint& joint) {
   join_section(joint.before, joint.after);
 }
 
+// A radius that changes evenly along a line and an arc changes at two rates along the way of the
+// ball, and its envelope has two sections where they meet.
+void BlendSheet::note_gap(int edge, double gap, double apart) {
+  if (gap <= apart) return;
+  is_tolerant_ = true;
+  char figure[32];
+  std::snprintf(figure, sizeof figure, "%.2g", gap);
+  notes_.push_back("edge " + std::to_string(edge) +
+                   ": its strip and the next one along the edges do not quite meet: within " +
+                   figure + ", the tolerance of the edge between them");
+}
+
 // The arc in which two strips go on in one another.
 void BlendSheet::join_section(const EndPlace& before, const EndPlace& after) {
   const RolledStrip &strip = strips_[before.strip].strip, &next = strips_[after.strip].strip;
@@ -171,6 +185,7 @@ void BlendSheet::join_section(const EndPlace& before, const EndPlace& after) {
   const double apart = kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(end.vertices[0]),
                                               BRep_Tool::Tolerance(end.vertices[1])});
   add_chart(arc, section_chart(arc, next, begin.t[0], apart), next.bare_face());
+  note_gap(strip.edge, BRep_Tool::Tolerance(arc), apart);
 }
 
 }  // namespace blossom::occt
