@@ -2,6 +2,7 @@
 #include "core/regions/delaunay/constrained_delaunay.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/base/errors.h"
 #include "core/base/not_zero.h"
@@ -29,7 +30,12 @@ ConstrainedDelaunay::ConstrainedDelaunay(std::vector<Vec2> points) : points_(std
   points_.push_back(middle + Vec2{0, size});
   faces_.push_back({{first_far_, first_far_ + 1, first_far_ + 2}, {kNone, kNone, kNone}, {}});
   face_at_.assign(points_.size(), 0);
-  for (int i = 0; i < first_far_; ++i) divide(i, locate(points_[at(i)]));
+  divide(0, locate(points_[0]));
+  // Neighbours follow each other mostly, as along borders: one after the other each would flip the
+  // sides of all before it. Those in the middle between points that are there do not.
+  for (unsigned step = std::bit_floor(static_cast<unsigned>(first_far_)); step > 0; step /= 2)
+    for (unsigned i = step; i < static_cast<unsigned>(first_far_); i += 2 * step)
+      divide(static_cast<int>(i), locate(points_[i]));
 }
 
 bool ConstrainedDelaunay::fix(int from, int to, std::pair<int, int>& obstacle) {
@@ -74,6 +80,14 @@ std::pair<int, std::size_t> ConstrainedDelaunay::side_between(int a, int b) cons
     if (face != kNone) break;
   }
   return {kNone, 0};
+}
+
+// The same where `face` most likely has that side: a corner may have very many faces.
+std::pair<int, std::size_t> ConstrainedDelaunay::side_of(int face, int a, int b) const {
+  const Face& f = faces_[at(face)];
+  for (std::size_t k = 0; k < 3; ++k)
+    if (f.corner[next(k)] == a && f.corner[previous(k)] == b) return {face, k};
+  return side_between(a, b);
 }
 
 int ConstrainedDelaunay::turn(int a, int b, int c) const {
@@ -200,15 +214,16 @@ void ConstrainedDelaunay::flip(int face, std::size_t k) {
 
 // Flips the side, and those that this makes doubtful, until they are Delaunay.
 void ConstrainedDelaunay::restore(int face, std::size_t k) {
-  std::vector<std::pair<int, int>>& doubtful = doubtful_;
-  const auto doubt = [&](const Face& f, std::size_t i) {
-    doubtful.push_back({f.corner[next(i)], f.corner[previous(i)]});
+  std::vector<DoubtfulSide>& doubtful = doubtful_;
+  const auto doubt = [&](int number, std::size_t i) {
+    const Face& f = faces_[at(number)];
+    doubtful.push_back({f.corner[next(i)], f.corner[previous(i)], number});
   };
-  doubt(faces_[at(face)], k);
+  doubt(face, k);
   while (!doubtful.empty()) {
-    const auto [a, b] = doubtful.back();
+    const auto [a, b, known] = doubtful.back();
     doubtful.pop_back();
-    const auto [here, i] = side_between(a, b);
+    const auto [here, i] = side_of(known, a, b);
     if (here == kNone) continue;
     const Face& f = faces_[at(here)];
     if (f.fixed[i] || f.beside[i] == kNone) continue;
@@ -221,8 +236,7 @@ void ConstrainedDelaunay::restore(int face, std::size_t k) {
     const int across = f.beside[i];
     flip(here, i);
     for (const int changed : {here, across})
-      for (const std::size_t side : {std::size_t{1}, std::size_t{2}})
-        doubt(faces_[at(changed)], side);
+      for (const std::size_t side : {std::size_t{1}, std::size_t{2}}) doubt(changed, side);
   }
 }
 

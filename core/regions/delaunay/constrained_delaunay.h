@@ -60,6 +60,11 @@ class ConstrainedDelaunay {
   void for_each_face_at(int point, Visit visit) const;
 
  private:
+  // The side from `a` to `b`, and the face on its left when it was noted.
+  struct DoubtfulSide {
+    int a = 0, b = 0, face = 0;
+  };
+
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   static std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
   static std::size_t previous(std::size_t k) { return k == 0 ? 2 : k - 1; }
@@ -68,6 +73,7 @@ class ConstrainedDelaunay {
   }
 
   std::pair<int, std::size_t> side_between(int a, int b) const;
+  std::pair<int, std::size_t> side_of(int face, int a, int b) const;
   int turn(int a, int b, int c) const;
   bool is_flat(int face) const;
   bool lies_between(int a, int b, int point) const;
@@ -90,7 +96,7 @@ class ConstrainedDelaunay {
   std::vector<int> face_at_;  // some face at a point
   int first_far_ = 0;         // of the far corners
   int last_ = 0;              // face
-  std::vector<std::pair<int, int>> doubtful_;
+  std::vector<DoubtfulSide> doubtful_;
 };
 
 template <class Visit>
