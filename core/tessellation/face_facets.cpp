@@ -326,7 +326,7 @@ class FacetBuilder {
 
   // Borders whose chords are behind the other corner of a facet, though it is in front of them in
   // the parameters; those round its corners if it has none itself. Halving a chord brings it nearer
-  // to the border by a factor of 4.
+  // to the border by a factor of 4. Round a pole are all facets, most of which have no part in it.
   std::vector<EdgeSegment> folding_sides(const ConstrainedDelaunay& mesh) {
     std::vector<EdgeSegment> splits;
     const auto take_sides = [&](const Face& face) {
@@ -346,7 +346,7 @@ class FacetBuilder {
       take_sides(face);
       if (splits.size() > before) continue;
       for (const int corner : face.corner)
-        if (corners_[corner].origin.edge >= 0)
+        if (corners_[corner].origin.edge >= 0 && !corners_.is_at_pole(corner))
           mesh.for_each_face_at(corner, [&](int at) { take_sides(mesh.faces()[index(at)]); });
     }
     return splits;

@@ -70,6 +70,9 @@ class FacetCorners {
   /// How far corners are off the surface, at most.
   double moved_of(const FacetTriangle& facet) const;
 
+  /// Whether a border goes on there that is a point in space.
+  bool is_at_pole(int corner) const { return poles_[index(corner)] >= 0; }
+
   /// Whether two corners are one point in space.
   bool is_flat(const FacetTriangle& facet) const;
 
