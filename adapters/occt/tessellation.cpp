@@ -2,6 +2,7 @@
 #include "adapters/occt/tessellation.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -18,10 +19,13 @@ constexpr double kFinest = 1e-7;  // model units
 }  // namespace
 
 ShapeTessellation tessellation(const TopoDS_Shape& shape, const FacetOptions& options,
-                               const std::function<bool()>& ask) {
-  const ReadShape read = read_shape(shape, std::max(kFinest, kConversionPart * options.deviation));
+                               const std::function<bool()>& ask, const FacetFaults& faults) {
+  ReadShape read = read_shape(shape, std::max(kFinest, kConversionPart * options.deviation));
   ShapeTessellation result;
-  result.facets = shape_facets(read.model, options, ask);
+  MendedFacets made = mended_facets(std::move(read.model), options, faults, ask);
+  result.facets = std::move(made.facets);
+  result.finer = std::move(made.finer);
+  result.looked = made.looked;
   for (std::size_t f = 0; f < result.facets.faces.size(); ++f)
     if (!read.refusals[f].empty()) result.facets.faces[f].obstacle = read.refusals[f];
   TopTools_IndexedMapOfShape faces;

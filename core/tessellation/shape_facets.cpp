@@ -34,10 +34,25 @@ void check(const ShapeModel& model, const FacetOptions& options) {
   for (const ModelFace& face : model.faces) {
     if (face.edges.size() != face.chart.borders.size())
       throw InvalidInput("shape_facets: a face has as many edges as borders");
+    if (!(face.part > 0) || !(face.part <= 1))
+      throw InvalidInput("shape_facets: a part of the deviation is in 0..1");
     for (const int edge : face.edges)
       if (!is_in(edge, model.edges.size()))
         throw InvalidInput("shape_facets: a face names an edge that is not there");
   }
+}
+
+FacetOptions finer(FacetOptions options, double part) {
+  options.deviation *= part;
+  return options;
+}
+
+// Of the deviation, for each edge: what the finest of its faces is to keep.
+std::vector<double> parts_of_edges(const ShapeModel& model) {
+  std::vector<double> parts(model.edges.size(), 1);
+  for (const ModelFace& face : model.faces)
+    for (const int edge : face.edges) parts[index(edge)] = std::min(parts[index(edge)], face.part);
+  return parts;
 }
 
 class Mesher {
@@ -52,9 +67,11 @@ class Mesher {
         attempts_(model.faces.size()) {}
 
   ShapeFacets facets() {
-    parallel_for(model_.edges.size(), 16, [this](std::size_t k) {
+    const std::vector<double> parts = parts_of_edges(model_);
+    parallel_for(model_.edges.size(), 16, [&](std::size_t k) {
       const ModelEdge& edge = model_.edges[k];
-      if (!edge.is_point) polylines_[k] = EdgePolyline(edge.curve, edge.from == edge.to, options_);
+      if (edge.is_point) return;
+      polylines_[k] = EdgePolyline(edge.curve, edge.from == edge.to, finer(options_, parts[k]));
     });
     part_common_chords();
     std::vector<std::size_t> open(model_.faces.size());
@@ -101,8 +118,9 @@ class Mesher {
       if (!goes_on()) return;
       const std::size_t f = faces[k];
       const ModelFace& face = model_.faces[f];
-      if (!surfaces_[f]) surfaces_[f] = std::make_unique<ChartSurface>(face.surface, options_);
-      attempts_[f] = facets_of(face, model_, polylines_, *surfaces_[f], options_, parted_[f], round,
+      const FacetOptions options = finer(options_, face.part);
+      if (!surfaces_[f]) surfaces_[f] = std::make_unique<ChartSurface>(face.surface, options);
+      attempts_[f] = facets_of(face, model_, polylines_, *surfaces_[f], options, parted_[f], round,
                                [this] { return goes_on(); });
     });
   }

@@ -26,6 +26,7 @@ struct ModelFace {
   std::variant<ElementaryChart, BezierSurface> surface;
   TrimmedChart chart;  ///< in the surface's own parameters; the region is on the left of borders
   std::vector<int> edges;  ///< of each border, whose parameters run as the edge's do
+  double part = 1;  ///< of the deviation: what its facets and its edges are to keep, at most 1
 };
 
 struct ShapeModel {

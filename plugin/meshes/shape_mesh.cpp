@@ -2,6 +2,7 @@
 #include "plugin/meshes/shape_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -18,6 +19,8 @@ namespace blossom::meshes {
 namespace {
 
 constexpr double kSizePart = 1e-3;  // of the diagonal, where no deviation is given
+// Looking for crossings takes longer than meshing; of so many triangles some seconds.
+constexpr std::size_t kMaxJudged = 2'000'000;
 
 double diagonal_of(const TopoDS_Shape& shape) {
   const Bnd_Box box = occt::bounds_of(shape);
@@ -57,6 +60,54 @@ std::vector<int> part_numbers(const occt::Model& model) {
   return numbers;
 }
 
+// What is wrong with facets, by the places of their faces.
+class FaultSearch {
+ public:
+  FaultSearch(const MeshedFaces& faces, const std::function<void()>& stop)
+      : faces_(faces), stop_(stop) {
+    for (std::size_t k = 0; k < faces.numbers.size(); ++k)
+      place_of_[faces.numbers[k]] = static_cast<int>(k);
+  }
+
+  std::optional<std::map<int, std::size_t>> faults_of(const ShapeFacets& facets) {
+    FileMesh mesh;
+    std::vector<int> number_of;
+    for (std::size_t f = 0; f < facets.faces.size(); ++f)
+      for (const std::array<int, 3>& triangle : facets.faces[f].triangles) {
+        std::array<int, 3>& made = mesh.triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k)
+          made[k] = facets.faces[f].vertices[static_cast<std::size_t>(triangle[k])];
+        number_of.push_back(faces_.numbers[f]);
+      }
+    if (mesh.triangles.size() > kMaxJudged) return {};
+    mesh.points = facets.points;
+    std::optional<JudgedParts> judged = judged_parts(mesh, number_of, faces_.parts, stop_);
+    if (!judged) return {};
+    std::map<int, std::size_t> faults;
+    for (const auto& [number, count] : judged->crossings.of_face) faults[place_of_[number]] = count;
+    for (std::size_t f = 0; f < facets.faces.size(); ++f)
+      if (facets.faces[f].folded > 0)
+        faults[static_cast<int>(f)] += static_cast<std::size_t>(facets.faces[f].folded);
+    seen_.push_back(std::move(judged->crossings));
+    return faults;
+  }
+
+  const Crossings& crossings(int looked) const { return seen_[static_cast<std::size_t>(looked)]; }
+
+ private:
+  const MeshedFaces& faces_;
+  const std::function<void()>& stop_;
+  std::map<int, int> place_of_;
+  std::vector<Crossings> seen_;
+};
+
+void tell(const Crossings& crossings, reports::MeshAnswer& answer) {
+  answer.crossings = crossings.inside + crossings.between;
+  answer.between_parts = crossings.between;
+  answer.crossing_faces.assign(crossings.faces.begin(), crossings.faces.end());
+  answer.faces_of_one.assign(crossings.faces_inside.begin(), crossings.faces_inside.end());
+}
+
 }  // namespace
 
 std::vector<MeshGroup> face_groups(const reports::Input& input) {
@@ -76,19 +127,23 @@ std::vector<MeshGroup> face_groups(const reports::Input& input) {
   return chosen;
 }
 
-ShapeMesh mesh_of(const std::string& name, const TopoDS_Shape& shape,
-                  const std::vector<int>& numbers, const std::vector<MeshGroup>& groups,
-                  const FacetOptions& options, const std::function<bool()>& ask) {
-  FacetOptions wanted = options;
+ShapeMesh mesh_of(const std::string& name, const TopoDS_Shape& shape, const MeshedFaces& faces,
+                  const std::function<bool()>& ask, const std::function<void()>& stop) {
+  FacetOptions wanted = faces.options;
   if (!(wanted.deviation > 0)) wanted.deviation = kSizePart * diagonal_of(shape);
   const auto start = std::chrono::steady_clock::now();
-  ShapeMesh result{occt::tessellation(shape, wanted, ask), {}};
+  FaultSearch search(faces, stop);
+  ShapeMesh result{
+      occt::tessellation(shape, wanted, ask,
+                         [&](const ShapeFacets& facets) { return search.faults_of(facets); }),
+      {}};
   if (result.made.facets.stopped) return result;
   result.mesh.points = result.made.facets.points;
   result.mesh.triangles = occt::triangles_of(result.made, &result.face_of);
   if (result.mesh.triangles.empty()) throw occt::BadModel(name + ": no face can be meshed");
-  result.mesh.groups = groups_of(result.face_of, groups);
-  result.answer = reports::answer_of(result.made, shape, numbers, wanted);
+  result.mesh.groups = groups_of(result.face_of, faces.groups);
+  result.answer = reports::answer_of(result.made, shape, faces.numbers, wanted);
+  if (result.made.looked >= 0) tell(search.crossings(result.made.looked), result.answer);
   result.answer.points = result.mesh.points.size();
   result.answer.triangles = result.mesh.triangles.size();
   result.answer.seconds =

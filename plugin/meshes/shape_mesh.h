@@ -12,6 +12,7 @@
 #include "adapters/occt/tessellation.h"
 #include "core/tessellation/facet_options.h"
 #include "plugin/meshes/mesh_files.h"
+#include "plugin/meshes/part_crossings.h"
 #include "plugin/reports/models/input.h"
 #include "plugin/reports/models/mesh.h"
 
@@ -29,13 +30,21 @@ struct ShapeMesh {
 /// With its colour, where the model has one.
 std::vector<MeshGroup> face_groups(const reports::Input& input);
 
-/// numbers   of the shape's faces, for the report
-/// groups    of these faces
-/// options   a deviation of 0 is a thousandth of the shape's size
+/// The faces that are meshed, and how.
+struct MeshedFaces {
+  const std::vector<int>& numbers;       ///< in the model, for the report
+  const std::vector<MeshGroup>& groups;  ///< one for each
+  const std::vector<int>& parts;         ///< of all faces of the model, see parts_of_faces
+  const FacetOptions& options;           ///< a deviation of 0 is a thousandth of the size
+};
+
+/// Where triangles of a part cross, or are folded, the faces are meshed finer, see mended_facets;
+/// not beyond two million triangles, and without CGAL not at all.
+///
 /// ask       see shape_facets; when it ends the work, `made.facets.stopped` is all that is said
+/// stop      asked now and then; may throw to end the work
 /// throws    BadModel, with the name, if no face can be meshed
-ShapeMesh mesh_of(const std::string& name, const TopoDS_Shape& shape,
-                  const std::vector<int>& numbers, const std::vector<MeshGroup>& groups,
-                  const FacetOptions& options, const std::function<bool()>& ask);
+ShapeMesh mesh_of(const std::string& name, const TopoDS_Shape& shape, const MeshedFaces& faces,
+                  const std::function<bool()>& ask, const std::function<void()>& stop);
 
 }  // namespace blossom::meshes

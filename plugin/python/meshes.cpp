@@ -47,13 +47,12 @@ py::dict mesh_records(const meshes::ShapeMesh& made, const std::vector<int>& num
 }
 
 meshes::ShapeMesh meshed(const std::string& name, const TopoDS_Shape& shape,
-                         const std::vector<int>& numbers,
-                         const std::vector<meshes::MeshGroup>& groups, const FacetOptions& options,
-                         const Watch& watch) {
+                         const meshes::MeshedFaces& faces, const Watch& watch) {
   const IntersectionOptions left = watch.engine();
   const WorkLimit limit(left);
-  meshes::ShapeMesh made = meshes::mesh_of(name, shape, numbers, groups, options,
-                                           [&limit] { return limit.reached() == nullptr; });
+  meshes::ShapeMesh made = meshes::mesh_of(
+      name, shape, faces, [&limit] { return limit.reached() == nullptr; },
+      [&watch] { watch.stop(); });
   watch.stop();
   if (made.made.facets.stopped)
     throw occt::Failure(name + ": the time limit was reached while it was meshed");
@@ -63,8 +62,10 @@ meshes::ShapeMesh meshed(const std::string& name, const TopoDS_Shape& shape,
 meshes::ShapeMesh meshed(LoadedModel& model, const FacetOptions& options, const Watch& watch) {
   model.faces(watch);
   const reports::Input& input = model.repaired_input(watch);
-  return meshed(input.name, reports::chosen_shape(input), input.numbers, meshes::face_groups(input),
-                options, watch);
+  const std::vector<meshes::MeshGroup> groups = meshes::face_groups(input);
+  const std::vector<int> parts = meshes::parts_of_faces(input);
+  return meshed(input.name, reports::chosen_shape(input), {input.numbers, groups, parts, options},
+                watch);
 }
 
 // The chosen faces with names, colours and places, on shapes of their own: those of a caller get
@@ -88,8 +89,12 @@ void write_glb(LoadedModel& model, const FacetOptions& options, const std::strin
   std::vector<int> numbers(static_cast<std::size_t>(copy.face_count()));
   std::iota(numbers.begin(), numbers.end(), 1);
   const std::vector<meshes::MeshGroup> groups(numbers.size());  // it has those of the model
+  const std::vector<int> all = meshes::parts_of_faces(model.input());
+  std::vector<int> parts;  // of the faces that are copied
+  for (const int number : model.input().numbers)
+    parts.push_back(all[static_cast<std::size_t>(number) - 1]);
   const meshes::ShapeMesh made =
-      meshed(model.name(), copy.shape(), numbers, groups, options, watch);
+      meshed(model.name(), copy.shape(), {numbers, groups, parts, options}, watch);
   occt::put_on_faces(made.made, copy.shape());
   occt::write_model(copy, file, [&watch] { watch.stop(); });
 }

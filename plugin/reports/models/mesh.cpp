@@ -43,6 +43,7 @@ MeshAnswer answer_of(const occt::ShapeTessellation& made, const TopoDS_Shape& sh
   answer.options = options;
   answer.distance = made.facets.distance;
   answer.edges = border_edges(shape);
+  for (const int place : made.finer) answer.finer.push_back(faces[static_cast<std::size_t>(place)]);
   for (std::size_t f = 0; f < made.facets.faces.size(); ++f) {
     const MeshedFace& face = made.facets.faces[f];
     answer.folded += face.folded;
@@ -73,6 +74,7 @@ Json mesh_report(const std::string& file, const std::string& output, const MeshA
           {"open_edges", answer.edges.open},
           {"non_manifold_edges", answer.edges.crowded},
           {"folded", answer.folded},
+          {"finer", answer.finer},
           {"crossings", answer.crossings ? Json(*answer.crossings) : Json(nullptr)},
           {"crossing_faces", answer.crossing_faces},
           {"crossings_between_parts", answer.between_parts},
@@ -110,6 +112,10 @@ std::string mesh_notes(const MeshAnswer& answer) {
   if (answer.folded > 0)
     text << "  " << counted(static_cast<std::size_t>(answer.folded), "triangle")
          << " turned over, where a face is narrower than the deviation\n";
+  if (!answer.finer.empty())
+    text << "  " << counted(answer.finer.size(), "face")
+         << " meshed finer, as triangles crossed or "
+         << "turned over:" << named(answer.finer, number) << "\n";
   for (const auto& [face, why] : answer.refused)
     text << "  face " << face << " is left out: " << why << "\n";
   return text.str();

@@ -33,6 +33,7 @@ struct MeshAnswer {
   std::vector<std::string> lost;  ///< what the file has no place for
   double moved = 0;               ///< how far edges are off their faces, at most
   int folded = 0;
+  std::vector<int> finer{};  ///< faces that keep less than the deviation
   BorderEdges edges;
   std::vector<std::pair<int, std::string>> refused;  ///< faces and why
   std::optional<std::size_t> crossings;              ///< pairs of triangles; none: not looked for

@@ -17,8 +17,11 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Solid.hxx>
 #include <gp.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Dir.hxx>
 #include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
@@ -207,6 +210,30 @@ TEST_F(ConvertMesh, SaysWhichFacesCross) {
   EXPECT_EQ(report("cross.brep", "cross.stl")["crossings_between_parts"], 0);
   EXPECT_NE(run("cross.brep", "again.stl").out.find("of triangles cross, of faces 1 and 2"),
             std::string::npos);
+}
+
+// A hollow ball, whose wall is thinner than the deviation: facets of it cross.
+TEST_F(ConvertMesh, MeshesFacesFinerWhoseTrianglesWouldCross) {
+  TopoDS_Solid hollow;
+  const BRep_Builder builder;
+  builder.MakeSolid(hollow);
+  const auto add = [&](double radius, const gp_Dir& axis, bool reversed) {
+    const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Ax2(gp::Origin(), axis), radius).Shape();
+    const TopoDS_Shape shell = TopExp_Explorer(ball, TopAbs_SHELL).Current();
+    builder.Add(hollow, reversed ? shell.Reversed() : shell);
+  };
+  add(10, gp::DZ(), false);
+  add(9.5, gp_Dir(0.3, -0.2, 1), true);
+  write(hollow, "hollow.brep");
+  const nlohmann::json made = report("hollow.brep", "hollow.ply", {"--deviation", "1"});
+  EXPECT_EQ(made["crossings"], 0);
+  EXPECT_EQ(made["finer"], (std::vector<int>{1, 2}));
+  EXPECT_LE(made["distance"], 0.5);
+  const std::string told = run("hollow.brep", "again.ply", {"--deviation", "1"}).out;
+  EXPECT_NE(told.find("2 faces meshed finer, as triangles crossed or turned over: 1, 2"),
+            std::string::npos)
+      << told;
+  EXPECT_EQ(report("hollow.brep", "hollow.ply", {"--deviation", "0.1"})["finer"].size(), 0u);
 }
 
 TEST_F(ConvertMesh, SaysThatSomeFilesAreWrittenOnly) {

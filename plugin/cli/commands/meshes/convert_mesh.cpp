@@ -14,14 +14,13 @@
 #include "core/base/work_limit.h"
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/values.h"
-#include "plugin/cli/commands/meshes/crossings.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
 #include "plugin/cli/process/supervision.h"
-#include "plugin/meshes/mesh_judge.h"
+#include "plugin/meshes/part_crossings.h"
 #include "plugin/meshes/shape_mesh.h"
 #include "plugin/reports/models/mesh.h"
 #include "plugin/reports/models/repairs.h"
@@ -29,18 +28,17 @@
 namespace blossom::cli {
 namespace {
 
-// Looking for crossings takes longer than meshing; of so many triangles some seconds.
-constexpr std::size_t kMaxJudged = 2'000'000;
-
 meshes::ShapeMesh meshed(const Input& input, const std::vector<meshes::MeshGroup>& groups,
-                         const FacetOptions& options) {
+                         const std::vector<int>& parts, const FacetOptions& options) {
   Progress progress("meshing");
   const std::function<bool()> cancelled = interrupted;
   const WorkLimit limit(seconds_left(), cancelled);
-  return meshes::mesh_of(input.name, input.model.shape(), input.numbers, groups, options, [&] {
+  const auto ask = [&] {
     progress.tick();
     return limit.reached() == nullptr;
-  });
+  };
+  return meshes::mesh_of(input.name, input.model.shape(), {input.numbers, groups, parts, options},
+                         ask, stop_if_interrupted);
 }
 
 // What the file's rounding leaves of the deviation; where that is little, half of it all the same.
@@ -53,21 +51,6 @@ double deviation_of_triangles(const TopoDS_Shape& shape, const MeshConversion& c
     for (int k = 1; k <= 3; ++k) largest = std::max(largest, std::abs(corner.Coord(k)));
   const double moved = meshes::writing_bound(file, conversion.text, largest);
   return std::max(conversion.deviation - moved, 0.5 * conversion.deviation);
-}
-
-// parts   of faces, by their numbers in the model
-void look_for_crossings(const meshes::ShapeMesh& made, const std::vector<int>& numbers,
-                        const std::vector<int>& parts, reports::MeshAnswer& answer) {
-  if (made.mesh.triangles.size() > kMaxJudged) return;
-  std::vector<int> number_of;
-  for (const int face : made.face_of) number_of.push_back(numbers[static_cast<std::size_t>(face)]);
-  const auto judged = judged_parts(made.mesh, number_of, parts);
-  if (!judged) return;
-  const Crossings& crossings = judged->crossings;
-  answer.crossings = crossings.inside + crossings.between;
-  answer.between_parts = crossings.between;
-  answer.crossing_faces.assign(crossings.faces.begin(), crossings.faces.end());
-  answer.faces_of_one.assign(crossings.faces_inside.begin(), crossings.faces_inside.end());
 }
 
 std::string summary(const std::string& input, const std::string& output,
@@ -115,12 +98,12 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
   const Json repairs = Json::array({reports::repairs_json(input)});
   const std::vector<meshes::MeshGroup> groups = meshes::face_groups(input);
   const std::string others = other_parts_text(input, OtherParts::LeftOut);
-  const std::vector<int> parts = parts_of_faces(input);
+  const std::vector<int> parts = meshes::parts_of_faces(input);
   drop_other_faces(input);
   stop_if_interrupted();
   FacetOptions options = conversion.facets;
   options.deviation = deviation_of_triangles(input.model.shape(), conversion, common.output);
-  meshes::ShapeMesh made = meshed(input, groups, options);
+  meshes::ShapeMesh made = meshed(input, groups, parts, options);
   if (conversion.deviation > 0) made.answer.options.deviation = conversion.deviation;
   stop_if_interrupted();
   if (made.made.facets.stopped) {
@@ -128,8 +111,6 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
     return kExitStopped;
   }
   reports::MeshAnswer& answer = made.answer;
-  look_for_crossings(made, input.numbers, parts, answer);
-  stop_if_interrupted();
   if (meshes::is_glb_file(common.output)) {
     occt::put_on_faces(made.made, input.model.shape());
     write_model(input.model, common.output);

@@ -14,7 +14,6 @@
 #include "core/bounds/box_tree.h"
 #include "core/math/index.h"
 #include "plugin/cli/arguments/inputs.h"
-#include "plugin/cli/commands/meshes/crossings.h"
 #include "plugin/cli/commands/meshes/mesh_picture.h"
 #include "plugin/cli/commands/meshes/meshed_input.h"
 #include "plugin/cli/exit_code.h"
@@ -26,6 +25,7 @@
 #include "plugin/meshes/mesh_distance.h"
 #include "plugin/meshes/mesh_info.h"
 #include "plugin/meshes/mesh_judge.h"
+#include "plugin/meshes/part_crossings.h"
 #include "plugin/reports/text/number_text.h"
 
 namespace blossom::cli {
@@ -46,8 +46,8 @@ std::vector<Vec3> ring_of(const FileMesh& mesh, int triangle) {
 }
 
 DeepCheck deep_answer(const FileMesh& mesh, const meshes::JudgedMesh& found, double distance,
-                      const Crossings& crossings, const FaceLabels& labels) {
-  const Crossings::Faces& faces = crossings.faces_inside;
+                      const meshes::Crossings& crossings, const FaceLabels& labels) {
+  const meshes::Crossings::Faces& faces = crossings.faces_inside;
   DeepCheck check;
   check.wrong = crossings.inside > 0 || found.turned_sides > 0;
   check.report = {{"triangles", mesh.triangles.size()},
@@ -178,7 +178,7 @@ DeepCheck deep_check(const Input& input) {
   for (const Vec3& p : occt::tessellation(shape, {.deviation = 1e6}).facets.points)
     box = joined(box, {p, p});
   options.deviation = kFirstDeviation * diagonal(box);
-  const std::vector<int> parts = parts_of_faces(input);
+  const std::vector<int> parts = meshes::parts_of_faces(input);
   const FaceLabels labels(input);
   DeepCheck check;
   for (int round = 0; round < kDeepRounds; ++round, options.deviation *= kFiner) {
@@ -186,7 +186,7 @@ DeepCheck deep_check(const Input& input) {
     const occt::ShapeTessellation made = occt::tessellation(shape, options);
     const FileMesh mesh{made.facets.points, occt::triangles_of(made, &face_of)};
     for (int& face : face_of) ++face;  // its number
-    const auto found = judged_parts(mesh, face_of, parts);
+    const auto found = meshes::judged_parts(mesh, face_of, parts, stop_if_interrupted);
     if (!found) throw UsageError("--deep needs CGAL, which this program lacks");
     check = deep_answer(mesh, found->mesh, made.facets.distance, found->crossings, labels);
     stop_if_interrupted();
