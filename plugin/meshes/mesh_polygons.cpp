@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/meshes/mesh_polygons.h"
 
+#include <array>
 #include <limits>
 
+#include "core/meshes/polygon_triangles.h"
 #include "plugin/meshes/formats/mesh_formats.h"
 
 namespace blossom::meshes {
@@ -29,9 +31,13 @@ void Polygons::add(std::span<const std::int64_t> corners) {
     if (corner < 0 || static_cast<std::uint64_t>(corner) >= mesh_.points.size())
       throw BadContent(place_() + "a face names a vertex that is not there");
   first_ = mesh_.triangles.size();
-  for (std::size_t k = 2; k < corners.size(); ++k)
-    mesh_.triangles.push_back({static_cast<int>(corners[0]), static_cast<int>(corners[k - 1]),
-                               static_cast<int>(corners[k])});
+  corners_.assign(corners.begin(), corners.end());
+  if (corners_.size() == 3) {
+    mesh_.triangles.push_back({corners_[0], corners_[1], corners_[2]});
+    return;
+  }
+  const std::vector<std::array<int, 3>> made = polygon_triangles(mesh_.points, corners_);
+  mesh_.triangles.insert(mesh_.triangles.end(), made.begin(), made.end());
 }
 
 void Polygons::colour(const std::optional<MeshColour>& colour) {

@@ -25,7 +25,7 @@ class Polygons {
   explicit Polygons(FileMesh& mesh, std::function<std::string()> place)
       : mesh_(mesh), place_(std::move(place)) {}
 
-  /// A polygon as a fan of triangles.
+  /// A polygon as triangles, see polygon_triangles.
   /// corners  places of points, from 0
   /// throws   BadContent if there are less than three, or one is not there
   void add(std::span<const std::int64_t> corners);
@@ -38,6 +38,7 @@ class Polygons {
   FileMesh& mesh_;
   std::function<std::string()> place_;
   std::size_t first_ = 0;  // triangle of the last polygon
+  std::vector<int> corners_;
   bool any_ = false;
   std::vector<MeshGroup> coloured_;
 };

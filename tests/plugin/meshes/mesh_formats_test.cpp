@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -191,6 +193,14 @@ TEST(Obj, HasPolygonsTexturesNegativeNumbersAndContinuedLines) {
   for (const char* const face : {"f 1 2 3 4\n", "f 1/1 2/2 3/3 4/4\n", "f 1//1 2//1 3//1 4//1\n",
                                  "f -4 -3 -2 -1\n", "f 1 2 \\\n3 4\n", "f 1 2 3 4 # comment\n"})
     EXPECT_EQ(read_obj(std::string(kSquare) + face).triangles, two) << face;
+}
+
+TEST(Obj, HasPolygonsThatAreNotConvex) {
+  const std::string dart = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\n";
+  const std::vector<std::array<int, 3>> made = read_obj(dart + "f 1 2 3 4\n").triangles;
+  ASSERT_EQ(made.size(), 2u);
+  for (const std::array<int, 3>& triangle : made)
+    EXPECT_TRUE(std::ranges::count(triangle, 1) == 1 && std::ranges::count(triangle, 3) == 1);
 }
 
 TEST(Obj, HasGroupsAndElseObjects) {
