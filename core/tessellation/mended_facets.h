@@ -29,7 +29,8 @@ struct MendedFacets {
 /// The facets of all faces, where the faces at fault, with their edges, keep a quarter of the
 /// deviation, and again, up to three times: sides are half as long then each time. A face whose
 /// faults do not become fewer is as coarse as was asked, as finer facets do not end them: where
-/// surfaces themselves cross they become more.
+/// surfaces themselves cross they become more. So is one whose finer facets would make them all
+/// more than four times as many, and more than 50 000.
 ///
 /// model    each face's part is 1
 /// throws   as shape_facets, and what `faults` throws

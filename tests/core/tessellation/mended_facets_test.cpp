@@ -109,6 +109,17 @@ TEST(MendedFacets, AreNotTriedForEver) {
   EXPECT_EQ(made.facets.points, plain.points);
 }
 
+TEST(MendedFacets, AreNoneWhereTheyWouldBeFarMore) {
+  const FacetOptions fine{.deviation = 2e-5, .angle = 0, .aspect = 1};
+  int looks = 0;
+  const MendedFacets made = mended_facets(vaults(1), fine, [&](const ShapeFacets& facets) {
+    EXPECT_GT(facets_in(facets, 0), 12'500u);
+    return Faults{{0, std::size_t(1000 - ++looks)}};
+  });
+  EXPECT_EQ(looks, 2);  // a quarter of the deviation is tried, a sixteenth is not
+  EXPECT_TRUE(made.finer.empty());
+}
+
 TEST(MendedFacets, AreTheFirstOnesIfNobodyLooksAtFinerOnes) {
   int looks = 0;
   const MendedFacets made =
