@@ -25,6 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kLargest = 1e100;  // of coordinates: volumes of what is larger are no doubles
+
 std::string small_ending(const fs::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
@@ -204,7 +206,11 @@ WrittenMesh write_mesh_file(const FileMesh& mesh, const fs::path& file, bool tex
 
 FileMesh read_mesh_file(const fs::path& file) {
   try {
-    return read_content(content_of(file), small_ending(file));
+    FileMesh mesh = read_content(content_of(file), small_ending(file));
+    for (const Vec3& point : mesh.points)
+      for (const double x : point.coordinates)
+        if (std::abs(x) > kLargest) throw BadContent("has a coordinate beyond 1e+100");
+    return mesh;
   } catch (const BadContent& error) {
     throw occt::BadModel(file.string() + ": " + error.what());
   }

@@ -64,14 +64,14 @@ WrittenMesh write_mesh_file(const FileMesh& mesh, const std::filesystem::path& f
                             const std::function<void()>& stop);
 
 /// Reads any kind of a format, told by the content: text with blanks, line ends and cases of any
-/// kind, binary of either byte order. Polygons become fans of triangles; points of .stl that are
+/// kind, binary of either byte order. Polygons become triangles; points of .stl that are
 /// equal become one. Nothing is repaired, nothing left out without a note: triangles may repeat
 /// corners, and sides may have more than two of them.
 ///
 /// throws   occt::BadModel, with the line or the facet, if the file is missing, empty, cut off,
-///          promises more than it holds, has numbers that are none or not finite, a face names a
-///          vertex that is not there, or there is no triangle. Memory stays in proportion to the
-///          file's size
+///          promises more than it holds, has numbers that are none, not finite or beyond 1e100, a
+///          face names a vertex that is not there, or there is no triangle. Memory stays in
+///          proportion to the file's size
 FileMesh read_mesh_file(const std::filesystem::path& file);
 
 /// The content of an .obj file: a `g` line before each group, blanks in its name as underscores.

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "core/bounds/box_tree.h"
 #include "core/math/index.h"
+#include "plugin/meshes/formats/place_numbers.h"
 #include "plugin/meshes/mesh_judge.h"
 #include "plugin/reports/text/number_text.h"
 
@@ -101,7 +104,15 @@ std::string enclosed_text(const MeshFacts& facts) {
   return text.str();
 }
 
-std::string loose_text(const MeshFacts& facts, std::size_t triangles) {
+std::string loose_text(const FileMesh& mesh, const MeshFacts& facts) {
+  if (facts.open_sides == 0) return "";
+  std::vector<Vec3> points;
+  PlaceNumbers places(points);
+  for (const Vec3& point : mesh.points) places.number(point);
+  if (const std::size_t others = mesh.points.size() - points.size(); others > 0)
+    return "  " + counted(others, "point") + (others == 1 ? " lies" : " lie") +
+           " where others are: triangles that meet there have no side in common\n";
+  const std::size_t triangles = mesh.triangles.size();
   if (triangles < 2 || facts.parts < triangles) return "";
   return "  no two triangles have a side in common: where they meet, their points differ\n";
 }
@@ -126,7 +137,7 @@ std::string mesh_info_text(const std::string& file, const FileMesh& mesh, const 
   line(facts.open_sides, "of one triangle, or an odd number");
   line(facts.crowded_sides, "of more than two triangles");
   line(facts.turned_sides, "whose triangles are turned against each other");
-  return text.str() + loose_text(facts, mesh.triangles.size()) + (groups ? groups_text(mesh) : "") +
+  return text.str() + loose_text(mesh, facts) + (groups ? groups_text(mesh) : "") +
          notes_text(mesh);
 }
 

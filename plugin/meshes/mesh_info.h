@@ -25,7 +25,8 @@ std::string mesh_info_text(const std::string& file, const FileMesh& mesh, const 
 /// "closed, volume 2", or "not closed, area 7".
 std::string enclosed_text(const MeshFacts& facts);
 
-/// A line where no two triangles have a side in common; else nothing.
-std::string loose_text(const MeshFacts& facts, std::size_t triangles);
+/// A line where an open mesh has points at one place, or no two triangles a side in common; else
+/// nothing.
+std::string loose_text(const FileMesh& mesh, const MeshFacts& facts);
 
 }  // namespace blossom::meshes

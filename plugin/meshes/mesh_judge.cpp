@@ -84,7 +84,7 @@ std::string mesh_check_text(const std::string& file, const FileMesh& mesh,
   if (found.crossings > kNamedPairs)
     text << "    and " << found.crossings - kNamedPairs << " more\n";
   if (found.closed() && found.volume < 0) text << "  it is turned inside out\n";
-  return text.str() + loose_text(found, mesh.triangles.size()) + notes_text(mesh);
+  return text.str() + loose_text(mesh, found) + notes_text(mesh);
 }
 
 }  // namespace blossom::meshes

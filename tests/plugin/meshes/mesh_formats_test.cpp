@@ -14,10 +14,15 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "adapters/occt/base/errors.h"
+#include "plugin/meshes/mesh_files.h"
 
 namespace blossom::meshes {
 namespace {
@@ -116,6 +121,23 @@ TEST(MeshFormats, TellWhatOfGroupsHasNoPlace) {
 }
 
 // ---- what other programs write
+
+TEST(MeshFormats, RefuseCoordinatesWhoseVolumesAreNoNumbers) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() /
+                                     ("blossom_" + std::to_string(getpid()) + "_large.obj");
+  for (const auto& [size, told] : {std::pair{"1e101", "beyond 1e+100"}, std::pair{"1e99", ""}}) {
+    std::ofstream(file) << "v 0 0 0\nv " << size << " 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::string refused;
+    try {
+      read_mesh_file(file);
+    } catch (const occt::BadModel& error) {
+      refused = error.what();
+    }
+    EXPECT_EQ(refused.empty(), std::string(told).empty()) << refused;
+    EXPECT_NE(refused.find(told), std::string::npos) << refused;
+  }
+  std::filesystem::remove(file);
+}
 
 TEST(TextStl, MayHaveAnyCaseBlanksAndLineEnds) {
   const std::string plain = stl_text(tetrahedron());
