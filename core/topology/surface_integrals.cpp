@@ -147,6 +147,8 @@ class Density {
 
   int inner() const { return inner_; }
   bool is_constant() const { return lines_ == DensityLines::Constant; }
+  /// Left of those that all integrals over the surface share, inner and outer ones.
+  long& halvings() const { return halvings_; }
   /// For the whole integral: no sum can be better than the coordinates of the trims.
   const Values& tolerance() const { return tolerance_; }
   const std::vector<double>& y_knots() const { return y_knots_; }
@@ -172,7 +174,8 @@ class Density {
       auto density = [&](double s) { return line.sample(integrand_, s).values; };
       for (int k = 0; k < cells; ++k) {
         const double from = x_knots_[i], step = (to - from) / cells;
-        sum += integral(density, from + k * step, from + (k + 1) * step, tolerance).value;
+        sum +=
+            integral(density, from + k * step, from + (k + 1) * step, tolerance, halvings_).value;
       }
     }
     return sum;
@@ -207,6 +210,7 @@ class Density {
   int inner_ = 0;
   DensityLines lines_ = DensityLines::Any;
   Values tolerance_;
+  mutable long halvings_ = quadrature::kMostHalvings;
 };
 
 // What a straight way adds where the density is constant: strips grow evenly along it.
@@ -232,7 +236,7 @@ Vec<double, Count> across(const Vec2& from, const Vec2& to, const FaceTrims& tri
     return density.strip(point[x] / trims.scale[x], point[y] / trims.scale[y], std::abs(dy), 1) *
            dy;
   };
-  return integral(rate, 0, 1, density.tolerance()).value;
+  return integral(rate, 0, 1, density.tolerance(), density.halvings()).value;
 }
 
 // Local parameters of a span at which it crosses a knot line of the surface, with 0 and 1: there
@@ -292,9 +296,10 @@ Vec<double, Count> along(const Coedge& coedge, const FaceTrims& trims,
     const std::vector<double> ends = breaks(span.curve, y, trims.scale[y], density.y_knots());
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
       for (int k = 0; k < cells; ++k)
-        sum += integral(rate, at({ends[i], ends[i + 1]}, static_cast<double>(k) / cells),
-                        at({ends[i], ends[i + 1]}, (k + 1.0) / cells), tolerance)
-                   .value;
+        sum +=
+            integral(rate, at({ends[i], ends[i + 1]}, static_cast<double>(k) / cells),
+                     at({ends[i], ends[i + 1]}, (k + 1.0) / cells), tolerance, density.halvings())
+                .value;
   }
   const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
   const Values gaps = across(corner(coedge.from), end_point(coedge, false), trims, density) +

@@ -44,5 +44,18 @@ TEST(Integral, EndsSoonWhereTheFunctionIsNoisy) {
   EXPECT_LT(calls, 1'000'000);
 }
 
+// Each half of a cell is as wrong as the whole, for its width.
+TEST(Integral, EndsWhereNoCellIsEverFineEnough) {
+  long calls = 0, halvings = 1000;
+  const auto wild = [&](double x) {
+    ++calls;
+    return std::sin(1e20 * x);
+  };
+  const Integral found = integral(wild, 0, 1, 1e-16, halvings);
+  EXPECT_EQ(halvings, 0);
+  EXPECT_EQ(calls, 15 * 2001);
+  EXPECT_GT(found.error, 1e-16);
+}
+
 }  // namespace
 }  // namespace blossom
