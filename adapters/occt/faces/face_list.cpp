@@ -118,7 +118,8 @@ void FaceList::convert(const std::vector<char>& wanted) {
   parallel_for(size(), 1, [&](std::size_t i) {
     if (!wanted[i] || converted_[i]) return;
     try {
-      data_[i] = face_data(faces_[i], tolerance_, extent_, cuts_);
+      data_[i] = guarded("converting it",
+                         [&] { return face_data(faces_[i], tolerance_, extent_, cuts_); });
       converted_[i] = 1;
     } catch (const std::runtime_error& error) {
       failures[i] = error.what();
