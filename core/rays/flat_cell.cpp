@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/cells/cell_tree.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom {

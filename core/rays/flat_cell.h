@@ -13,13 +13,14 @@
 
 #include <array>
 
-#include "core/cells/cell_tree.h"
 #include "core/forms/patch.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
 #include "core/rays/two_forms.h"
 
 namespace blossom {
+
+struct Cell;
 
 struct FlatCell {
   int patch = 0;         ///< index into FlatCells::patches()

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <mutex>
 #include <string>
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/rays/patch_cells.h"
 
 namespace blossom {
 namespace {
@@ -36,6 +38,14 @@ Box box_of(const RationalBezierPatch& patch) {
 }
 
 }  // namespace
+
+struct FlatCells::Made {
+  std::once_flag once;
+  std::unique_ptr<PatchCells> cells;
+};
+
+FlatCells::~FlatCells() = default;
+FlatCells::FlatCells(FlatCells&&) noexcept = default;
 
 FlatCells::FlatCells(std::vector<BezierSurface> surfaces, double smallest,
                      std::vector<double> reaches)

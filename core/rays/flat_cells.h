@@ -5,15 +5,15 @@
 
 #include <array>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "core/bounds/box_tree.h"
 #include "core/forms/surface.h"
 #include "core/math/vec.h"
-#include "core/rays/patch_cells.h"
 
 namespace blossom {
+
+class PatchCells;
 
 /// A patch with its place in its surface.
 struct PlacedPatch {
@@ -40,7 +40,8 @@ class FlatCells {
   ///           surfaces and reaches differ
   FlatCells(std::vector<BezierSurface> surfaces, double smallest, std::vector<double> reaches);
 
-  FlatCells(FlatCells&&) = default;
+  ~FlatCells();
+  FlatCells(FlatCells&&) noexcept;
   FlatCells(const FlatCells&) = delete;  // patches are found by address
   FlatCells& operator=(const FlatCells&) = delete;
 
@@ -62,10 +63,7 @@ class FlatCells {
   int largest_net() const { return largest_net_; }
 
  private:
-  struct Made {
-    std::once_flag once;
-    std::unique_ptr<PatchCells> cells;
-  };
+  struct Made;
 
   void add_patch(int surface, int row, int column);
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/forms/evaluation.h"
+#include "core/rays/flat_cell.h"
 #include "core/rays/flat_cells.h"
 #include "core/rays/ray.h"
 #include "core/rays/two_forms.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/rays/patch_cells.h"
 #include "core/rays/ray_batches.h"
 
 namespace blossom {
