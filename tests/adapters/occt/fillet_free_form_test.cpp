@@ -405,6 +405,7 @@ TEST(FilletOfRealFaces, WithAFarTooLargeRadiusIsRefusedInAShortTime) {
 }
 
 // A vase of three circles with a wall 2 thick, open above: its inside is an offset of its outside.
+constexpr double kShellTolerance = 1e-3;
 TopoDS_Shape shelled_loft() {
   BRepOffsetAPI_ThruSections loft(true, false);
   for (const Vec2& level : {Vec2{30, 0}, Vec2{38, 20}, Vec2{25, 50}}) {
@@ -418,7 +419,7 @@ TopoDS_Shape shelled_loft() {
     if (!plane.IsNull() && plane->Location().Z() > 49) open.Append(it.Current());
   }
   BRepOffsetAPI_MakeThickSolid shell;
-  shell.MakeThickSolidByJoin(loft.Shape(), open, -2, 1e-3);
+  shell.MakeThickSolidByJoin(loft.Shape(), open, -2, kShellTolerance);
   return shell.Shape();
 }
 
@@ -429,7 +430,7 @@ TEST(FilletOfAShelledLoft, RoundsEachRimInsideAndOutside) {
   for (const double height : {0.0, 2.0, 50.0})
     for (const int edge : edges_at_height(vase, height)) {
       SCOPED_TRACE(edge);
-      expect_sound(fillet(vase, {edge}, {.radius = 0.5}));
+      expect_sound(fillet(vase, {edge}, {.radius = 0.5}), kShellTolerance);
       ++rims;
     }
   EXPECT_EQ(rims, 4);
