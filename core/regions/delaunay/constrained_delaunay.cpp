@@ -2,7 +2,6 @@
 #include "core/regions/delaunay/constrained_delaunay.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "core/base/errors.h"
 #include "core/base/not_zero.h"
@@ -30,12 +29,7 @@ ConstrainedDelaunay::ConstrainedDelaunay(std::vector<Vec2> points) : points_(std
   points_.push_back(middle + Vec2{0, size});
   faces_.push_back({{first_far_, first_far_ + 1, first_far_ + 2}, {kNone, kNone, kNone}, {}});
   face_at_.assign(points_.size(), 0);
-  divide(0, locate(points_[0]));
-  // Neighbours follow each other mostly, as along borders: one after the other each would flip the
-  // sides of all before it. Those in the middle between points that are there do not.
-  for (unsigned step = std::bit_floor(static_cast<unsigned>(first_far_)); step > 0; step /= 2)
-    for (unsigned i = step; i < static_cast<unsigned>(first_far_); i += 2 * step)
-      divide(static_cast<int>(i), locate(points_[i]));
+  for (int i = 0; i < first_far_; ++i) divide(i, locate(points_[at(i)]));
 }
 
 bool ConstrainedDelaunay::fix(int from, int to, std::pair<int, int>& obstacle) {
