@@ -177,15 +177,15 @@ Surroundings surroundings_of(const FreeChart& chart, const TrimTool& other,
   return near;
 }
 
-// Turns about the axis come first: circles round it stay lines of the chart. Then a sphere's axes
-// follow a spiral over half of it, which spreads them evenly, as the corners of a torus are spread
-// over its chart; turns by the golden angle have no symmetry.
+// Turns by the golden angle have no symmetry. Those of a sphere about its axis come first: circles
+// round it stay lines of the chart. Then its axes follow a spiral over half of it, which spreads
+// them evenly, as the corners of a torus are spread over its chart.
 ChartMove move_of(ChartKind kind, int number) {
   const int turn = number % kTurns;
   const double golden = std::fmod((turn + 0.5) * pi * (3 - std::sqrt(5.0)), 2 * pi);
   const double share = (turn + 0.5) / kTurns;
-  if (number < kTurns) return {gp::DZ(), golden};
   if (kind == ChartKind::Ring) return {gp::DZ(), golden, 2 * pi * share};
+  if (number < kTurns) return {gp::DZ(), golden};
   return {gp_Dir(std::cos(golden), std::sin(golden), 0), std::acos(share)};
 }
 
@@ -194,7 +194,7 @@ std::optional<ChartMove> better_move(const FreeChart& chart, const Surroundings&
   const double least = kClear * chart.size;
   Hazards best = hazards_of(chart.seams, least, near);
   std::optional<ChartMove> found;
-  const int moves = chart.kind == ChartKind::Turned ? kTurns : 2 * kTurns;
+  const int moves = chart.kind == ChartKind::Ball ? 2 * kTurns : kTurns;
   for (int number = 0; number < moves && best > Hazards{}; ++number) {
     const ChartMove move = move_of(chart.kind, number);
     const Hazards left = hazards_of(moved_seams(chart, move), least, near);
