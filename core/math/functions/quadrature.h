@@ -42,9 +42,8 @@ inline constexpr std::array kGaussWeights{
     0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
 
 inline constexpr int kDeepest = 40;
-// A choice: of one integral, or of all that share a count of them, as those over a surface do. A
-// hundred kinks take a few thousand; what asks for more is noise above the tolerance, and would go
-// on for 2^40 without becoming better.
+// A choice: a hundred kinks take a few thousand; what asks for more is noise above the tolerance,
+// and would go on for 2^40 without becoming better.
 inline constexpr long kMostHalvings = 1L << 14;
 
 // Below these no halving helps: rounding of the sums, relative to the size; and a part of the
