@@ -290,10 +290,23 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
   }
 }
 
-void join_coincident(const Side& side, EdgeUnion& joined, SolidPieces& result) {
+// An edge that lies in a face may run along another one as well, which stands for it then.
+bool join_coincident(const CoincidentEdge& coincident, const CommonEdges& common,
+                     EdgeUnion& joined) {
+  const TopoDS_Edge first = joined.first(coincident.piece);
+  if (first.IsSame(coincident.piece))
+    return joined.join(first, coincident.edge, coincident.edge, false);
+  const bool reversed = first.Orientation() != coincident.piece.Orientation();
+  const TopoDS_Edge image =
+      common.image(TopoDS::Edge(first.Oriented(TopAbs_FORWARD)), coincident.edge, reversed);
+  return joined.join(first, coincident.edge, image, reversed);
+}
+
+void join_coincident(const Side& side, const CommonEdges& common, EdgeUnion& joined,
+                     SolidPieces& result) {
   for (std::size_t i = 0; i < side.faces.size(); ++i)
     for (const CoincidentEdge& coincident : side.faces[i].split().coincident)
-      if (!joined.join(coincident.piece, coincident.edge, coincident.edge, false))
+      if (!join_coincident(coincident, common, joined))
         result.obstacles.push_back(side.face_name(i) +
                                    ": an edge of the other solid lies in two of its faces");
 }
@@ -434,9 +447,10 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
   EdgeUnion joined;
   if (const std::string cause = common.join(splits, joined); !cause.empty())
     result.obstacles.push_back(cause);
-  for (const Side* side : {&side_a, &side_b}) join_coincident(*side, joined, result);
-  attempt("joining the solids", limit, result,
-          [&] { join_edges(side_a, side_b, uses, common, tolerance, joined, result); });
+  attempt("joining the solids", limit, result, [&] {
+    for (const Side* side : {&side_a, &side_b}) join_coincident(*side, common, joined, result);
+    join_edges(side_a, side_b, uses, common, tolerance, joined, result);
+  });
   if (!result.obstacles.empty()) {
     keep_curves(found, common, untold);
     return result;

@@ -6,14 +6,23 @@
 // what goes wrong is written to the working folder as chain_SEED_{a,b}.brep.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
 #include <string>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Pnt.hxx>
+#include <gp_Vec.hxx>
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/faces/area.h"
@@ -87,6 +96,29 @@ TEST(SolidChains, StayRight) {
   std::cout << trials << " chains of " << kChainSteps << " from seed " << first << ": " << wrong
             << " faults\n";
   EXPECT_EQ(wrong, 0);
+}
+
+TopoDS_Shape notch(double from, double height) {
+  const TopoDS_Wire triangle =
+      BRepBuilderAPI_MakePolygon({-0.5, 0, from}, {-2, 1, from}, {-2, -1, from}, true).Wire();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(triangle).Face(), gp_Vec(0, 0, height))
+      .Shape();
+}
+
+// The edge of the notch lies in the side of the hole, and ends in the middle of it.
+TEST(SolidChains, FillANotchThatTouchesAHole) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, 0), gp_Pnt(2, 2, 1)).Shape(),
+                     rod = BRepPrimAPI_MakeCylinder(0.5, 1).Shape();
+  const Made drilled = combined(plate, rod, SolidOperation::Cut);
+  const Made notched = combined(drilled.shape, notch(0, 0.5), SolidOperation::Cut);
+  ASSERT_EQ(notched.fault, "");
+  const double whole = volume_of(drilled.shape);
+  for (const auto& [from, height, added] :
+       {std::array{0.0, 0.5, 0.0}, {0.0, 0.25, -0.375}, {-1.0, 1.5, 1.5}, {-1.0, 3.0, 3.0}}) {
+    const Made filled = combined(notched.shape, notch(from, height), SolidOperation::Fuse);
+    EXPECT_EQ(filled.fault, "") << "from " << from;
+    EXPECT_NEAR(volume_of(filled.shape), whole + added, 1e-12) << "from " << from;
+  }
 }
 
 }  // namespace
