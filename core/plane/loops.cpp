@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/plane/loops.h"
 
+#include <cstddef>
+
 #include "core/math/functions/quadrature.h"
 
 namespace blossom {
@@ -30,7 +32,12 @@ Vec2 middle_of(const PlanarPath& path) {
 
 int ray_crossings(const PlanarPath& path, const Vec2& point) {
   int sum = 0;
-  for (const PlanarBezier& curve : path) sum += halved_crossings(curve, point, 0);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    sum += halved_crossings(path[i], point, 0);
+    if (i > 0)
+      sum += ray_crossings(projected(path[i - 1].points.back()), projected(path[i].points.front()),
+                           point);
+  }
   return sum;
 }
 

@@ -78,10 +78,16 @@ void join(Meeting meeting, FaceTrims& trims) {
 void set_curve(Coedge& coedge, PlanarCurve curve) {
   coedge.curve = std::move(curve);
   coedge.boxes.clear();
-  for (const PlanarSpan& span : coedge.curve.spans)
-    coedge.boxes.push_back(box_of(span.curve.points));
-  const Interval domain = coedge.curve.domain();
-  coedge.ends = {point_at(coedge.curve, domain.from), point_at(coedge.curve, domain.to)};
+  coedge.joints.clear();
+  const auto first = [](const PlanarSpan& of) { return projected(of.curve.points.front()); };
+  const auto last = [](const PlanarSpan& of) { return projected(of.curve.points.back()); };
+  const std::vector<PlanarSpan>& spans = coedge.curve.spans;
+  for (std::size_t k = 0; k < spans.size(); ++k) {
+    coedge.boxes.push_back(box_of(spans[k].curve.points));
+    if (k > 0 && last(spans[k - 1]) != first(spans[k]))
+      coedge.joints.push_back({last(spans[k - 1]), first(spans[k])});
+  }
+  coedge.ends = {first(spans.front()), last(spans.back())};
 }
 
 double past(const PlanarBox& box, const PlanarBox& bounds) {
@@ -299,6 +305,7 @@ bool is_inside(const FaceTrims& trims, const Vec2& point) {
       for (std::size_t k = 0; k < coedge.boxes.size(); ++k)
         if (may_cross(coedge.boxes[k], point))
           winding += sign * ray_crossings(PlanarPath{coedge.curve.spans[k].curve}, point);
+      for (const auto& [from, to] : coedge.joints) winding += sign * ray_crossings(from, to, point);
       for (const auto& [from, to] : closing_chords(trims, coedge))
         winding += ray_crossings(from, to, point);
     }

@@ -31,10 +31,12 @@ struct Coedge {
   bool reversed = false;         ///< walked from last to first
   PlanarCurve curve;             ///< in the chart; the parameter is the edge's own
   std::vector<PlanarBox> boxes;  ///< of the curve's spans
-  std::array<Vec2, 2> ends;      ///< of the curve
-  bool degenerated = false;      ///< one point in space, as at the pole of a sphere
-  double tolerance = 0;          ///< of the edge, model units
-  int start = -1;                ///< vertices where its walk along the loop starts and ends
+  std::array<Vec2, 2> ends;      ///< of the curve: its first and its last control point
+  /// Between ends of neighbouring spans that roundings set apart.
+  std::vector<std::array<Vec2, 2>> joints;
+  bool degenerated = false;  ///< one point in space, as at the pole of a sphere
+  double tolerance = 0;      ///< of the edge, model units
+  int start = -1;            ///< vertices where its walk along the loop starts and ends
   int end = -1;
   int from = 0;  ///< corners there
   int to = 0;

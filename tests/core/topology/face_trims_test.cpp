@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <utility>
 
@@ -91,6 +92,27 @@ TEST(TrimsOf, ACircleOvershootByTheCircleAndNotByItsControlPoints) {
     const auto trims = trims_of(chart, loops.vertices, loops.loops);
     ASSERT_TRUE(trims);
     EXPECT_NEAR(trims->overshoot, wanted, 1e-7);
+  }
+}
+
+// Pieces of a curve end in one point but for roundings; nothing goes through between them.
+TEST(IsInside, HoldsAtHeightsWherePiecesOfACurveEnd) {
+  for (int turn = 0; turn < 200; ++turn) {
+    FlatLoops loops;
+    const double from = 0.031 * turn;
+    PlanarCurve circle = testing::quarters_of_circle({0, 0}, 1, 1, 4, from);
+    for (std::size_t k = 0; k < circle.spans.size(); ++k)
+      for (Vec3& pole : circle.spans[k].curve.points)
+        pole = (1 + 0.3 * static_cast<double>(k)) * pole;
+    const int vertex = loops.add_vertex({std::cos(from), std::sin(from)});
+    loops.loops.push_back({loops.coedge(circle, vertex, vertex)});
+    SurfaceChart chart = plane_chart();
+    chart.bounds = {{-4, -4}, {4, 4}};
+    const auto trims = trims_of(chart, loops.vertices, loops.loops);
+    ASSERT_TRUE(trims);
+    for (const PlanarSpan& span : circle.spans)
+      for (const Vec3& end : {span.curve.points.front(), span.curve.points.back()})
+        EXPECT_FALSE(is_inside(*trims, {-1.001, projected(end)[1]})) << "turned by " << from;
   }
 }
 
