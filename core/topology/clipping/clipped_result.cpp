@@ -23,6 +23,7 @@ namespace blossom {
 namespace {
 
 constexpr double kSamePoint = 1e-6;  // contacts as near as this are one, model units
+constexpr std::array kAlong{0.0, 0.25, 0.5, 0.75, 1.0};  // samples of what may run along a wire
 
 SurfacePoint point_of(const IntersectionCurve& curve, double t) {
   return {point_at(curve.curve, t), point_at(curve.chart_a, t), point_at(curve.chart_b, t)};
@@ -131,24 +132,44 @@ IntersectionCurve appended(IntersectionCurve first, const IntersectionCurve& sec
   return first;
 }
 
-// Whether a part of a curve keeps to a wire, and is no longer than what touches it may be.
-bool only_touches(const FaceTrims& trims, double length, const Vec2& middle, double tolerance) {
-  return length <= tangency_length(trims, tolerance) && border_at(trims, middle).has_value();
+// One face on which a curve lies, and what of the curve is inside of its trims.
+struct Trimming {
+  const FaceTrims& trims;
+  const Spline2& chart;
+  std::vector<Interval> inside;
+};
+
+// Whether a part of a curve keeps to a wire, and no longer than what touches it may. The trims of
+// the other face may have cut it off: what goes on along the wire beyond the part runs along it.
+bool only_touches(const IntersectionCurve& whole, const Interval& part, const Trimming& by,
+                  double tolerance) {
+  const auto on_wire = [&](double t) {
+    return border_at(by.trims, point_at(by.chart, t)).has_value();
+  };
+  const double length = length_of(whole, part), most = tangency_length(by.trims, tolerance);
+  if (length > most || !on_wire(at(part, 0.5))) return false;
+  const auto around = std::ranges::find_if(by.inside, [&](const Interval& inside) {
+    return inside.from <= part.from && part.to <= inside.to;
+  });
+  if (around == by.inside.end() || length == 0) return true;
+  const double reach = most / length * (part.to - part.from);
+  const Interval run{std::max(around->from, part.from - reach),
+                     std::min(around->to, part.to + reach)};
+  return length_of(whole, run) <= most ||
+         !std::ranges::all_of(kAlong, [&](double t) { return on_wire(at(run, t)); });
 }
 
 // Parts too short for an edge become points, and parts that only touch the trims.
-//
-// b   null if everything of the second surface counts
 void move_short_parts(const IntersectionCurve& whole, const FaceTrims& a, const FaceTrims* b,
-                      std::vector<Interval>& parts, std::vector<SurfacePoint>& touches) {
+                      const std::vector<Trimming>& trimmings, std::vector<Interval>& parts,
+                      std::vector<SurfacePoint>& touches) {
   const double tolerance = edge_tolerance(whole.deviation);
   std::erase_if(parts, [&](const Interval& part) {
-    const double length = length_of(whole, part);
-    const SurfacePoint middle = point_of(whole, at(part, 0.5));
-    const bool touch = part != whole.curve.domain() &&
-                       (only_touches(a, length, middle.uv_a, tolerance) ||
-                        (b != nullptr && only_touches(*b, length, middle.uv_b, tolerance)));
-    if (length > 2 * tolerance && !touch) return false;
+    const bool touch =
+        part != whole.curve.domain() && std::ranges::any_of(trimmings, [&](const Trimming& by) {
+          return only_touches(whole, part, by, tolerance);
+        });
+    if (length_of(whole, part) > 2 * tolerance && !touch) return false;
     touches.push_back(touch_of(whole, at(part, 0.5), a, b));
     return true;
   });
@@ -272,10 +293,13 @@ std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const Fa
   std::vector<IntersectionCurve> curves, border_arcs;
   std::vector<SurfacePoint> touches;
   const auto add_parts = [&](const IntersectionCurve& curve) {
-    std::vector<Interval> parts = clip_to_trims(a, curve.chart_a, tolerance);
-    if (b != nullptr) parts = common(curve, parts, clip_to_trims(*b, curve.chart_b, tolerance));
+    std::vector<Trimming> trimmings{{a, curve.chart_a, clip_to_trims(a, curve.chart_a, tolerance)}};
+    if (b != nullptr)
+      trimmings.push_back({*b, curve.chart_b, clip_to_trims(*b, curve.chart_b, tolerance)});
+    std::vector<Interval> parts = trimmings.front().inside;
+    if (b != nullptr) parts = common(curve, parts, trimmings.back().inside);
     move_shallow_ends(curve, a, b, std::max(tolerance, kOnWire), parts);
-    move_short_parts(curve, a, b, parts, touches);
+    move_short_parts(curve, a, b, trimmings, parts, touches);
     for (IntersectionCurve& part : curve_parts(curve, parts)) curves.push_back(std::move(part));
   };
   for (const IntersectionCurve& curve : found.curves)

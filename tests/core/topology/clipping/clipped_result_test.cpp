@@ -19,6 +19,8 @@ namespace blossom {
 namespace {
 
 using std::numbers::pi;
+using testing::FlatLoops;
+using testing::kSquare4;
 
 constexpr double kPast = 1e-6;  // the curves go so far past the wires that they touch
 
@@ -56,6 +58,24 @@ TEST(ClippedTouches, AreOnTheConicAndHaveItsParameters) {
   EXPECT_NEAR(touch.point[0], 2 + kOff, 2e-4);
   EXPECT_NEAR(touch.uv_a[0], touch.point[0], 1e-12);
   EXPECT_NEAR(touch.uv_a[1], touch.point[1], 1e-12);
+}
+
+// Along a border of the first face, of which the second one reaches over so much.
+TEST(ClippedCurves, AlongABorderStayCurvesHoweverShortTheOtherFaceCutsThem) {
+  for (const double reach : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    FlatLoops loops;
+    loops.add_polygon(kSquare4);
+    const FaceTrims border = testing::square_without_disc(), other = testing::trims_of(loops);
+    std::vector<HermiteJet> jets;
+    for (const double x : {-1.0, 5.0})
+      jets.push_back({{{x, 0, 0}, {x, 0}, {x + 4 - reach, 2}}, {{1, 0, 0}, {1, 0}, {1, 0}}});
+    SurfaceIntersection found;
+    found.curves = {hermite_curve(jets, {-1, 5})};
+    found.curves.front().length = 6;
+    EXPECT_TRUE(clip(found, border, &other).empty()) << reach;
+    ASSERT_EQ(found.curves.size(), 1u) << reach;
+    EXPECT_NEAR(found.curves.front().length, reach, 1e-12);
+  }
 }
 
 // A contact in a point of a face's surface, and of all of another one.
