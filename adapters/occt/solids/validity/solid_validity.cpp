@@ -18,6 +18,7 @@
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <IntRes2d_IntersectionPoint.hxx>
+#include <IntRes2d_IntersectionSegment.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -168,18 +169,28 @@ std::vector<TopoDS_Vertex> common_ends(const TopoDS_Edge& a, const TopoDS_Edge& 
   return common;
 }
 
+// Where two curves cross, and where stretches begin along which they are one for Open CASCADE.
+std::vector<IntRes2d_IntersectionPoint> crossings_of(const ChartedEdge& a, const ChartedEdge& b) {
+  const Geom2dAPI_InterCurveCurve met(new Geom2d_TrimmedCurve(a.chart, a.range.from, a.range.to),
+                                      new Geom2d_TrimmedCurve(b.chart, b.range.from, b.range.to),
+                                      Precision::PConfusion());
+  std::vector<IntRes2d_IntersectionPoint> found;
+  for (int k = 1; k <= met.NbPoints(); ++k) found.push_back(met.Intersector().Point(k));
+  for (int k = 1; k <= met.NbSegments(); ++k) {
+    const IntRes2d_IntersectionSegment& run = met.Intersector().Segment(k);
+    if (run.HasFirstPoint()) found.push_back(run.FirstPoint());
+  }
+  return found;
+}
+
 // The crossings of two edges that the nearest one of their common vertices may stand for are
 // covered.
 bool cover_crossings(const ChartedEdge& a, const ChartedEdge& b, const TopoDS_Face& face) {
   const std::vector<TopoDS_Vertex> ends = common_ends(a.edge, b.edge);
   if (ends.empty()) return false;
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  const Geom2dAPI_InterCurveCurve met(new Geom2d_TrimmedCurve(a.chart, a.range.from, a.range.to),
-                                      new Geom2d_TrimmedCurve(b.chart, b.range.from, b.range.to),
-                                      Precision::PConfusion());
   bool any = false;
-  for (int k = 1; k <= met.NbPoints(); ++k) {
-    const IntRes2d_IntersectionPoint& crossing = met.Intersector().Point(k);
+  for (const IntRes2d_IntersectionPoint& crossing : crossings_of(a, b)) {
     const gp_Pnt point = surface->Value(crossing.Value().X(), crossing.Value().Y());
     const auto past = [&](const TopoDS_Vertex& end) {
       return BRep_Tool::Pnt(end).Distance(point) - BRep_Tool::Tolerance(end);
