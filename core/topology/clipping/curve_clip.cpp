@@ -258,18 +258,47 @@ Vec3 in_space(const FaceTrims& trims, const Vec2& point) {
   return trims.jet({point[0] / trims.scale[0], point[1] / trims.scale[1]}).point;
 }
 
-// The distance in space from the wire that is nearest in the chart.
-double distance_to_wires(const FaceTrims& trims, const Vec2& point) {
+// What no point of a coedge is nearer than, in the chart.
+double least_distance(const Coedge& coedge, const Vec2& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlanarBox& box : coedge.boxes) {
+    Vec2 past;
+    for (int k = 0; k < 2; ++k)
+      past[k] = std::max({box.low[k] - point[k], point[k] - box.high[k], 0.0});
+    least = std::min(least, norm(past));
+  }
+  return least;
+}
+
+// The place of a wire that is nearest in the chart. Coedges are looked at only where their boxes
+// come nearer than what is known: first the one whose boxes come nearest.
+Vec2 foot_on_wires(const FaceTrims& trims, const Vec2& point) {
   double least = std::numeric_limits<double>::infinity();
   Vec2 foot = point;
+  const auto look_at = [&](const Coedge& coedge) {
+    const PlanarFoot near = nearest(coedge.curve, point);
+    if (near.distance >= least) return;
+    least = near.distance;
+    foot = point_at(coedge.curve, near.parameter);
+  };
+  const Coedge* first = nullptr;
+  double bound = std::numeric_limits<double>::infinity();
   for (const auto& loop : trims.loops)
-    for (const Coedge& coedge : loop) {
-      const PlanarFoot near = nearest(coedge.curve, point);
-      if (near.distance >= least) continue;
-      least = near.distance;
-      foot = point_at(coedge.curve, near.parameter);
-    }
-  return distance(in_space(trims, point), in_space(trims, foot));
+    for (const Coedge& coedge : loop)
+      if (const double of = least_distance(coedge, point); of < bound) {
+        first = &coedge;
+        bound = of;
+      }
+  if (first != nullptr) look_at(*first);
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop)
+      if (&coedge != first && least_distance(coedge, point) < least) look_at(coedge);
+  return foot;
+}
+
+// The distance in space from the wire that is nearest in the chart.
+double distance_to_wires(const FaceTrims& trims, const Vec2& point) {
+  return distance(in_space(trims, point), in_space(trims, foot_on_wires(trims, point)));
 }
 
 }  // namespace
