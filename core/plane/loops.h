@@ -21,8 +21,9 @@ Vec2 middle_of(const PlanarPath& path);
 /// How often the ray from `point` to the right is crossed from below to above, less the other way.
 ///
 /// A path through an end of another counts each crossing once, because what counts for an end is
-/// only whether it lies above the ray. So do ends of neighbouring curves that roundings set apart.
-/// Decided by boxes and halving; a point on the path itself gets either answer.
+/// only whether it lies above the ray. The straight ways over gaps between neighbouring curves of
+/// the path count as well. Decided by boxes and halving; a point on the path itself gets either
+/// answer.
 int ray_crossings(const PlanarPath& path, const Vec2& point);
 
 /// Likewise for the straight line between two points; closes the gaps that tolerances leave

@@ -42,13 +42,25 @@ std::vector<Meeting> meetings(FaceTrims& trims) {
   return all;
 }
 
+// Whether places of a chart that one vertex stands for are one corner of it, as those on the sides
+// of a seam or round a pole are not. Each is in reach of the vertex in space, where the chart's
+// measure is another one than in the chart itself.
+bool are_one_corner(const FaceTrims& trims, const Vec2& p, const Vec2& q, double reach) {
+  const SurfaceJet jet = trims.jet({p[0] / trims.scale[0], p[1] / trims.scale[1]});
+  const Vec2 apart = q - p;
+  return norm((apart[0] / trims.scale[0]) * jet.du + (apart[1] / trims.scale[1]) * jet.dv) <=
+         2 * reach;
+}
+
 // Joins each end to a start, nearest pairs first. Where wires touch in a vertex their corners are
-// one point, as they are in space; those on the sides of a seam are farther apart.
+// one point, as they are in space.
 void join(Meeting meeting, FaceTrims& trims) {
   const std::size_t first = trims.corners.size();
   double reach = kOnWire;
   if (meeting.vertex >= 0)
     reach = std::max(reach, trims.vertices[static_cast<std::size_t>(meeting.vertex)].tolerance);
+  const bool is_pole = std::ranges::any_of(meeting.ends, &Coedge::degenerated) ||
+                       std::ranges::any_of(meeting.starts, &Coedge::degenerated);
   while (!meeting.ends.empty()) {
     std::size_t best_end = 0, best_start = 0;
     double nearest_gap = std::numeric_limits<double>::infinity();
@@ -66,8 +78,10 @@ void join(Meeting meeting, FaceTrims& trims) {
         static_cast<int>(trims.corners.size());
     const Vec2 corner = end_point(*meeting.ends[best_end], true);
     const auto same = std::find_if(trims.corners.begin() + static_cast<std::ptrdiff_t>(first),
-                                   trims.corners.end(),
-                                   [&](const Vec2& p) { return distance(p, corner) <= reach; });
+                                   trims.corners.end(), [&](const Vec2& p) {
+                                     return is_pole ? distance(p, corner) <= reach
+                                                    : are_one_corner(trims, p, corner, reach);
+                                   });
     trims.corners.push_back(same == trims.corners.end() ? corner : *same);
     trims.largest_gap = std::max(trims.largest_gap, nearest_gap);
     meeting.ends.erase(meeting.ends.begin() + static_cast<std::ptrdiff_t>(best_end));

@@ -204,13 +204,9 @@ std::vector<const Coedge*> in_order(const std::vector<Coedge>& loop) {
   return order;
 }
 
-// With the straight ways over gaps between the curves.
+// With the straight way over the gap between its ends.
 bool encloses(const PlanarPath& loop, const Vec2& point) {
-  int crossings = ray_crossings(loop, point);
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    crossings += ray_crossings(projected(loop[i].points.back()),
-                               projected(loop[(i + 1) % loop.size()].points.front()), point);
-  return crossings != 0;
+  return ray_crossings(loop, point) + ray_crossings(end_of(loop), start_of(loop), point) != 0;
 }
 
 class LoopsProof {

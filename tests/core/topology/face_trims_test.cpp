@@ -54,33 +54,43 @@ TEST(TrimsOf, ASeamHaveCornersOfTheirOwnOnEachSide) {
   EXPECT_TRUE(is_inside(trims, {3, 1}));
 }
 
-// A hole touches the border from inside in a vertex, which the curves of both miss by roundings.
+struct TouchingWires {
+  double off = 0;  // of the hole's ends from the vertex
+  double tolerance = 0;
+  double scale = 1;  // chart coordinates per model length
+};
+
+// A hole touches the border from inside in a vertex, which its curves miss.
 TEST(TrimsOf, WiresThatTouchInAVertexHaveTheSameCornerThere) {
-  const double off = 1e-15;
-  FlatLoops loops;
-  const int at = loops.add_vertex({2, 0}), a = loops.add_vertex({0, 0}),
-            b = loops.add_vertex({4, 0});
-  const int c = loops.add_vertex({4, 4}), d = loops.add_vertex({0, 4});
-  const int e = loops.add_vertex({3, 1}), f = loops.add_vertex({1, 1});
-  const auto line = [&](const Vec2& from, const Vec2& to, int start, int end) {
-    return loops.coedge(planar_line(from, to, {0, distance(from, to)}), start, end);
-  };
-  loops.loops.push_back({line({0, 0}, {2, 0}, a, at), line({2, 0}, {4, 0}, at, b),
-                         line({4, 0}, {4, 4}, b, c), line({4, 4}, {0, 4}, c, d),
-                         line({0, 4}, {0, 0}, d, a)});
-  loops.loops.push_back(
-      {line({2, -off}, {1, 1}, at, f), line({1, 1}, {3, 1}, f, e), line({3, 1}, {2, -off}, e, at)});
-  const FaceTrims trims = testing::trims_of(loops);
-  const auto corner = [&](int loop, int coedge) {
-    return trims.corners[static_cast<std::size_t>(
-        trims.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(coedge)].from)];
-  };
-  EXPECT_EQ(corner(0, 1), corner(1, 0));
-  EXPECT_NE(corner(0, 1), corner(1, 1));
-  EXPECT_LE(trims.largest_gap, 2 * off);
+  for (const auto& [off, tolerance, scale] : {TouchingWires{1e-15, 1e-7, 1}, {8e-5, 1e-4, 2}}) {
+    FlatLoops loops;
+    const int at = loops.add_vertex({2, 0}), a = loops.add_vertex({0, 0}),
+              b = loops.add_vertex({4, 0});
+    const int c = loops.add_vertex({4, 4}), d = loops.add_vertex({0, 4});
+    const int e = loops.add_vertex({3, 1}), f = loops.add_vertex({1, 1});
+    loops.vertices[static_cast<std::size_t>(at)].tolerance = tolerance;
+    const auto line = [&](const Vec2& from, const Vec2& to, int start, int end) {
+      return loops.coedge(planar_line(from, to, {0, distance(from, to)}), start, end);
+    };
+    loops.loops.push_back({line({0, 0}, {2, 0}, a, at), line({2, 0}, {4, 0}, at, b),
+                           line({4, 0}, {4, 4}, b, c), line({4, 4}, {0, 4}, c, d),
+                           line({0, 4}, {0, 0}, d, a)});
+    loops.loops.push_back({line({2, -off}, {1, 1}, at, f), line({1, 1}, {3, 1}, f, e),
+                           line({3, 1}, {2, -off}, e, at)});
+    SurfaceChart chart = plane_chart();
+    chart.scale = {scale, scale};
+    const auto trims = trims_of(chart, loops.vertices, loops.loops);
+    ASSERT_TRUE(trims);
+    const auto corner = [&](int loop, int coedge) {
+      return trims->corners[static_cast<std::size_t>(
+          trims->loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(coedge)].from)];
+    };
+    EXPECT_EQ(corner(0, 1), corner(1, 0));
+    EXPECT_NE(corner(0, 1), corner(1, 1));
+    EXPECT_LE(trims->largest_gap, 2 * off);
+  }
 }
 
-// The control points of a circle lie outside of it, and of the square that it just fits in.
 TEST(TrimsOf, ACircleOvershootByTheCircleAndNotByItsControlPoints) {
   for (const auto& [half, wanted] : {std::pair{1.0, 0.0}, {0.9, 0.1}}) {
     FlatLoops loops;
