@@ -438,7 +438,7 @@ StripMaker::StripMaker(const BallTrack& track, const BallStripOptions& options)
     throw InvalidInput("ball_strip: rho has to be in (0, 1), got " + std::to_string(options.rho));
   if (!(options.gap > 0) || !(options.angle > 0))
     throw InvalidInput("ball_strip: gap and angle have to be positive");
-  if (options.section == SectionKind::Curvature &&
+  if (takes_curvature(options.section) &&
       (track.supports()[0].is_edge || track.supports()[1].is_edge))
     throw InvalidInput("ball_strip: an edge has no curvature that a section could have");
 }

@@ -28,11 +28,17 @@
 namespace blossom {
 
 enum class SectionKind {
-  Circle,     ///< the ball's
-  Conic,      ///< the conic with the same ends and tangents; `rho` as in the options
-  Curvature,  ///< degree 5, with the curvatures of both surfaces across the contacts; no edges
-  Chamfer,    ///< the chord
+  Circle,         ///< the ball's
+  Conic,          ///< the conic with the same ends and tangents; `rho` as in the options
+  Curvature,      ///< degree 5, with the curvatures of both surfaces across the contacts; no edges
+  CurvatureRate,  ///< degree 7, also with the rates at which these change across the contacts
+  Chamfer,        ///< the chord
 };
+
+/// Whether sections have the curvatures of the surfaces.
+constexpr bool takes_curvature(SectionKind kind) {
+  return kind == SectionKind::Curvature || kind == SectionKind::CurvatureRate;
+}
 
 struct BallStripOptions {
   SectionKind section = SectionKind::Circle;

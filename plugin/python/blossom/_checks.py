@@ -254,16 +254,16 @@ def radii(value: Any, name: str) -> Tuple[float, Optional[float]]:
 
 
 def section(value: Any, name: str) -> str:
-    """ "circle", "conic:0.4" or "g2"."""
+    """ "circle", "conic:0.4", "g2" or "g3"."""
     told = text(value, name)
     head, _, tail = told.partition(":")
     try:
         rho = float(tail)
     except ValueError:
         rho = math.nan
-    if told not in ("circle", "g2") and not (head == "conic" and 0 < rho < 1):
+    if told not in ("circle", "g2", "g3") and not (head == "conic" and 0 < rho < 1):
         raise ValueError(
-            f"{name}: 'circle', 'conic:RHO' with RHO between 0 and 1, or 'g2' is wanted, "
+            f"{name}: 'circle', 'conic:RHO' with RHO between 0 and 1, 'g2' or 'g3' is wanted, "
             f"got '{told}'"
         )
     return told

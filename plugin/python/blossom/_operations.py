@@ -95,8 +95,8 @@ class Operations(_results.MadeShape):
         law       instead of it {"law": "smooth", "radii": [2, 5]}, or "linear", or "table" with
                   shares of the run's length, as {"law": "table", "at": [0, 0.3, 1], "radii": ...}
         section   "circle"; "conic:0.4": how far the shoulder is on the way from the chord to where
-                  the end tangents meet, between 0 (flat) and 1 (sharp); or "g2", which has the
-                  curvatures of both faces
+                  the end tangents meet, between 0 (flat) and 1 (sharp); "g2", which has the
+                  curvatures of both faces; or "g3", also with the rates at which these change
         setback   how far from a vertex of three and more edges their strips end
         between   two face numbers: the edges that they have in common
         partial   round the edges that can be, instead of all or none; see `refused`

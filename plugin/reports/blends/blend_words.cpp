@@ -95,9 +95,10 @@ RadiusLaw radius_law(const std::string& json) {
 occt::FilletSection fillet_section(const std::string& word) {
   if (word == "circle") return {};
   if (word == "g2") return {.kind = SectionKind::Curvature};
+  if (word == "g3") return {.kind = SectionKind::CurvatureRate};
   const auto conic = parted(word, "conic:");
   if (!conic || !(*conic)[0].empty())
-    throw InvalidInput("a section is circle, conic:RHO, as in conic:0.4, or g2, not \"" + word +
+    throw InvalidInput("a section is circle, conic:RHO, as in conic:0.4, g2 or g3, not \"" + word +
                        "\"");
   const double rho = positive_number((*conic)[1], word);
   if (rho >= 1) throw InvalidInput("\"" + word + "\": rho has to be below 1");
@@ -105,8 +106,12 @@ occt::FilletSection fillet_section(const std::string& word) {
 }
 
 std::string section_name(const occt::FilletSection& section) {
-  if (section.kind == SectionKind::Circle) return "circle";
-  return section.kind == SectionKind::Conic ? "conic" : "g2";
+  switch (section.kind) {
+    case SectionKind::Conic: return "conic";
+    case SectionKind::Curvature: return "g2";
+    case SectionKind::CurvatureRate: return "g3";
+    default: return "circle";
+  }
 }
 
 occt::ChamferSize chamfer_size(const std::string& word) {

@@ -34,11 +34,11 @@ void choose_edges(const std::string& word, EdgeChoice& choice);
 /// throws   InvalidInput likewise
 RadiusLaw radius_law(const std::string& json);
 
-/// "circle", "conic:0.4" with a number below 1, or "g2".
+/// "circle", "conic:0.4" with a number below 1, "g2" or "g3".
 /// throws   InvalidInput likewise
 occt::FilletSection fillet_section(const std::string& word);
 
-/// The same the other way, "circle", "conic" or "g2".
+/// The same the other way, "circle", "conic", "g2" or "g3".
 std::string section_name(const occt::FilletSection& section);
 
 /// "2", or "2,1" with two distances, or "2:30" with an angle in degrees.

@@ -79,11 +79,12 @@ TEST(FilletOfChangingRadius, TellsThatStripsDoNotQuiteMeetAtAnArc) {
   EXPECT_NE(made.notes.front().find("do not quite meet"), std::string::npos);
 }
 
+class FilletOfSection : public ::testing::TestWithParam<SectionKind> {};
+
 // Beside a plane the sections begin without curvature, where circles have that of the ball.
-TEST(FilletOfSection, HasTheCurvaturesOfItsFaces) {
+TEST_P(FilletOfSection, HasTheCurvaturesOfItsFaces) {
   const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
-  const FilletResult made =
-      fillet(shape, {1}, {.radius = 2, .section = {.kind = SectionKind::Curvature}});
+  const FilletResult made = fillet(shape, {1}, {.radius = 2, .section = {.kind = GetParam()}});
   expect_sound(made);
   ASSERT_EQ(made.solids.size(), 1U);
   EXPECT_LT(made.solids.front().volume, 1000);
@@ -103,6 +104,9 @@ TEST(FilletOfSection, HasTheCurvaturesOfItsFaces) {
   }
   EXPECT_EQ(blends, 1);
 }
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FilletOfSection,
+                         ::testing::Values(SectionKind::Curvature, SectionKind::CurvatureRate));
 
 TEST(FilletOfChangingRadius, IsRefusedRoundClosedEdges) {
   const TopoDS_Shape shape = BRepPrimAPI_MakeCylinder(5, 10).Shape();

@@ -38,7 +38,8 @@ occt::FilletOptions options_of(Choices& choices) {
   const auto radius = [&] { return 0.05 * choices.within(1, 40); };
   if (kind == 1) options.law = RadiusLaw::smooth({0, 1}, radius(), radius());
   if (kind == 2) options.section = {SectionKind::Conic, choices.between(0, 1)};
-  if (kind == 3) options.section = {SectionKind::Curvature};
+  if (kind == 3)
+    options.section = {choices.is_so() ? SectionKind::CurvatureRate : SectionKind::Curvature};
   if (kind == 8) options.law = RadiusLaw::table({0, 0.4, 1}, {radius(), radius(), radius()});
   if (kind < 4 || kind == 8) return options;
   options.chamfer = occt::ChamferSize{options.radius, {}, {}};

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/base/errors.h"
 #include "core/blending/balls/chart_cell.h"
+#include "core/blossom/composition.h"
+#include "core/forms/evaluation.h"
 
 namespace blossom {
 namespace {
@@ -45,35 +48,87 @@ std::array<Vec4, 5> wide_arc(const CharacteristicCircle& circle, const Vec3& mid
           row(4 * a, 1, 1)};
 }
 
-// The curvature of a support across the contact in a unit direction of its tangent plane, positive
-// towards the ball.
-double normal_curvature(const BallSupport& support, const BallContact& contact,
-                        const Vec3& direction) {
-  const BezierSurface& surface = *support.surface;
-  const PatchJet s = chart_jet(surface, cell_at(surface, contact.chart), contact.chart, 2);
-  const double uu = dot(s.u, s.u), uv = dot(s.u, s.v), vv = dot(s.v, s.v);
-  const double u = dot(s.u, direction), v = dot(s.v, direction), det = uu * vv - uv * uv;
-  const double a = (u * vv - v * uv) / det, b = (v * uu - u * uv) / det;
-  return dot(s.uu * (a * a) + s.uv * (2 * a * b) + s.vv * (b * b), contact.normal);
+// How a support bends across the contact, positive towards the ball: the curvature of its normal
+// section in a direction, and the derivative of that by the section's length.
+struct SupportBend {
+  double curvature = 0;
+  double rate = 0;
+};
+
+// The third derivative along the line of local parameters from a point in a direction of them. It
+// is taken over half a patch, where polynomials keep their size.
+Vec3 third_derivative(const RationalBezierPatch& patch, const Vec2& from, const Vec2& way) {
+  const double length = 0.5 / std::max(std::abs(way[0]), std::abs(way[1]));
+  const RationalBezierCurve curve = on_segment(patch, from, from + length * way);
+  const int n = curve.degree();
+  const std::vector<Vec4>& p = curve.points;
+  const Vec4 h1 = n * (p[1] - p[0]), h2 = (n * (n - 1.0)) * (p[2] - 2 * p[1] + p[0]);
+  Vec4 h3{};
+  if (n > 2) h3 = (n * (n - 1.0) * (n - 2.0)) * (p[3] - 3 * p[2] + 3 * p[1] - p[0]);
+  // X / w and its derivatives, by the quotient rule.
+  const double over = 1 / p[0][3];
+  const Vec4 x0 = over * p[0], x1 = over * (h1 - h1[3] * x0);
+  const Vec4 x2 = over * (h2 - (2 * h1[3]) * x1 - h2[3] * x0);
+  const Vec4 x3 = over * (h3 - (3 * h1[3]) * x2 - (3 * h2[3]) * x1 - h3[3] * x0);
+  return Vec3{x3[0], x3[1], x3[2]} * (1 / (length * length * length));
 }
 
-// Quintic with the circle's ends and tangents, their length that of the arc, and second derivatives
-// with the surfaces' curvatures.
+// With C(s) = S(x + a s + b s^2 / 2 + c s^3 / 6), S_x a the direction and b such that C'' is
+// normal:
+//
+//   n.C'' = n.S_xx(a, a),   n.C''' = n.S_xxx(a, a, a) + 3 n.S_xx(a, b),   as n.S_x c = 0
+SupportBend bend_across(const BallSupport& support, const BallContact& contact,
+                        const Vec3& direction, bool with_rate) {
+  const BezierSurface& surface = *support.surface;
+  const ChartCell cell = cell_at(surface, contact.chart);
+  const RationalBezierPatch& patch = surface.patches(cell.span[0], cell.span[1]);
+  const Vec2 at{local_parameter(surface.u_law, range_of(surface, cell, 0), contact.chart[0]),
+                local_parameter(surface.v_law, range_of(surface, cell, 1), contact.chart[1])};
+  const PatchJet s = jet_at(patch, at[0], at[1], 2);
+  const double uu = dot(s.u, s.u), uv = dot(s.u, s.v), vv = dot(s.v, s.v), det = uu * vv - uv * uv;
+  const auto in_chart = [&](const Vec3& way) {
+    const double u = dot(s.u, way), v = dot(s.v, way);
+    return Vec2{(u * vv - v * uv) / det, (v * uu - u * uv) / det};
+  };
+  const auto second = [&](const Vec2& a, const Vec2& b) {
+    return s.uu * (a[0] * b[0]) + s.uv * (a[0] * b[1] + a[1] * b[0]) + s.vv * (a[1] * b[1]);
+  };
+  const Vec3& n = contact.normal;
+  const Vec2 a = in_chart(direction);
+  const Vec3 along = second(a, a);
+  SupportBend bend{dot(along, n), 0};
+  if (with_rate)
+    bend.rate = dot(third_derivative(patch, at, a), n) + 3 * dot(second(a, in_chart(-along)), n);
+  return bend;
+}
+
+// A curve of degree 5 or 7 with the circle's ends and tangents, their length that of the arc, and
+// the surfaces' curvatures; at degree 7 also the rates at which these change. By the length of a
+// curve of curvature k, C'' = k n and C''' = k' n - k^2 t.
 void add_curvature_rows(const BallTrack& track, const BallPoint& ball,
-                        const CharacteristicCircle& circle, std::array<Vec4, kMaxRows>& rows) {
+                        const CharacteristicCircle& circle, const SectionForm& form,
+                        std::array<Vec4, kMaxRows>& rows) {
   const Vec3 &e1 = circle.to_contact[0], &e2 = circle.to_contact[1];
   const double cosine = std::clamp(dot(e1, e2), -1.0, 1.0),
                length = circle.radius * std::acos(cosine);
+  const int n = form.degree();
+  const bool with_rate = form.kind == SectionKind::CurvatureRate;
   for (std::size_t k = 0; k < 2; ++k) {
     const BallContact& contact = ball.contacts[k];
     const Vec3 inwards = k == 0 ? unit(e2 - e1 * cosine) : unit(e1 - e2 * cosine);
-    const double bend = normal_curvature(track.supports()[k], contact, inwards);
-    const Vec3 second = contact.normal * (bend * length * length);
-    const Vec3 next = contact.point + inwards * (length / 5);
-    const Vec3 third = 2 * next - contact.point + second * (1.0 / 20);
-    rows[k == 0 ? 0 : 5] = weighted(contact.point, 1);
-    rows[k == 0 ? 1 : 4] = weighted(next, 1);
-    rows[k == 0 ? 2 : 3] = weighted(third, 1);
+    const SupportBend bend = bend_across(track.supports()[k], contact, inwards, with_rate);
+    const Vec3 first = inwards * (length / n);
+    const Vec3 second = contact.normal * (bend.curvature * length * length / (n * (n - 1)));
+    const auto row = [&](std::size_t i) -> Vec4& {
+      return rows[k == 0 ? i : static_cast<std::size_t>(n) - i];
+    };
+    row(0) = weighted(contact.point, 1);
+    row(1) = weighted(contact.point + first, 1);
+    row(2) = weighted(contact.point + 2 * first + second, 1);
+    if (!with_rate) continue;
+    const Vec3 rate = contact.normal * bend.rate - inwards * (bend.curvature * bend.curvature);
+    const Vec3 third = rate * (length * length * length / (n * (n - 1) * (n - 2)));
+    row(3) = weighted(contact.point + 3 * first + 3 * second + third, 1);
   }
 }
 
@@ -101,6 +156,7 @@ int SectionForm::rows() const {
     case SectionKind::Circle: return wide ? 5 : 3;
     case SectionKind::Conic: return 3;
     case SectionKind::Curvature: return 6;
+    case SectionKind::CurvatureRate: return 8;
     case SectionKind::Chamfer: return 2;
   }
   return 0;
@@ -117,8 +173,8 @@ std::array<Vec4, kMaxRows> section_rows(const BallTrack& track, const BallPoint&
   const CharacteristicCircle circle = characteristic_circle(ball);
   const Vec3 &e1 = circle.to_contact[0], &e2 = circle.to_contact[1];
   std::array<Vec4, kMaxRows> rows{};
-  if (form.kind == SectionKind::Curvature) {
-    add_curvature_rows(track, ball, circle, rows);
+  if (takes_curvature(form.kind)) {
+    add_curvature_rows(track, ball, circle, form, rows);
     return rows;
   }
   const auto last = static_cast<std::size_t>(form.rows()) - 1;

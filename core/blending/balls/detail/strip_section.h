@@ -20,7 +20,7 @@ struct CharacteristicCircle {
 /// throws   InvalidInput if the balls have no envelope there
 CharacteristicCircle characteristic_circle(const BallPoint& ball);
 
-inline constexpr int kMaxRows = 6;
+inline constexpr int kMaxRows = 8;
 
 /// How sections are written.
 struct SectionForm {

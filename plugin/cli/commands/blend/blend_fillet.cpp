@@ -362,8 +362,8 @@ void add_blend_fillet(CLI::App& blend, int& exit_code) {
   command
       ->add_option(
           "--section", options->section,
-          "circle; conic:RHO with RHO between 0 (flat) and 1 (sharp); or g2, which has the "
-          "curvatures of both faces; circle when not given")
+          "circle; conic:RHO with RHO between 0 (flat) and 1 (sharp); g2, which has the curvatures "
+          "of both faces; or g3, also with the rates at which these change; circle when not given")
       ->type_name("KIND");
   command
       ->add_option("--setback", options->setback,

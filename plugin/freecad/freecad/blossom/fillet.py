@@ -6,7 +6,7 @@ import FreeCAD
 from .blended import LAST_CHOICES, EdgeBlend, facts_of, positive
 from .feature import Choice
 
-SECTIONS = ("circle", "conic", "g2")
+SECTIONS = ("circle", "conic", "g2", "g3")
 
 
 class Fillet(EdgeBlend):
@@ -25,7 +25,8 @@ class Fillet(EdgeBlend):
         Choice("Setback", "length", "0 mm", "Setback",
                "How far from a vertex of three and more edges their strips end; 0: as near as can be"),
         Choice("Section", "word", "circle", "Section",
-               "Circles, conics, or curves that have the curvatures of both faces (g2)", SECTIONS),
+               "Circles, conics, or curves that have the curvatures of both faces (g2), and the rates "
+               "at which these change (g3)", SECTIONS),
         Choice("Rho", "number", 0.5, "Sharpness",
                "Of conics: near 0 flat, 0.5 a parabola, near 1 sharp", (0.01, 0.99)),
         *LAST_CHOICES,

@@ -117,6 +117,8 @@ TEST(BallOnEdge, LeavesAStripThatBeginsAtTheEdge) {
   }
   EXPECT_LE(strip.section_error, 1e-8);
   for (const Vec2& p : strip.contacts[1].chart.points) EXPECT_EQ(p[1], 0);
+  EXPECT_THROW(ball_strip(*track, track->domain(), {.section = SectionKind::CurvatureRate}),
+               InvalidInput);
   EXPECT_THROW(ball_strip(*track, track->domain(), {.section = SectionKind::Curvature}),
                InvalidInput);
 }

@@ -377,6 +377,35 @@ TEST(BallStrip, OfContinuousCurvatureHasTheSurfacesCurvature) {
   }
 }
 
+// Off the floor z = f(x), along a section, a strip is of the order of the first derivative in which
+// they differ.
+TEST(BallStrip, OfContinuousRatesOfCurvatureLeavesTheSurfaceByFourthOrder) {
+  const auto height = [](double x, double y) {
+    return 0.3 * x * x + 0.4 * x * x * x + 0.2 * x * y;
+  };
+  const BezierSurface floor = testing::bicubic([&](double s, double t) {
+    return Vec3{2 * s - 1, 2 * t - 1, height(2 * s - 1, 2 * t - 1)};
+  });
+  const BezierSurface wall = plane_patch({0.6, 0, 0}, {0, 1, 0}, {0.3, 0, 1}, {-1, 1}, {-1, 2});
+  const BallTrack track = track_through(whole_support(floor, 1), whole_support(wall, -1), 0.2,
+                                        {Vec2{0.7, 0.5}, Vec2{0, 0.3}})
+                              .value();
+  for (const auto& [kind, order] :
+       {std::pair{SectionKind::Curvature, 3}, std::pair{SectionKind::CurvatureRate, 4}}) {
+    const BallStrip strip = ball_strip(track, track.domain(), {.section = kind, .gap = 1e-10});
+    EXPECT_EQ(strip.poles.columns(), 2 * order);
+    EXPECT_LT(strip.contacts[0].normal_angle, 2e-7);
+    for (const double t : {0.2, 0.5, 0.7}) {
+      const double u = at(track.domain(), t);
+      const auto off = [&](double v) {
+        const Vec3 p = point_at(strip.surface, {u, v});
+        return std::abs(p[2] - height(p[0], p[1]));
+      };
+      EXPECT_NEAR(std::log2(off(0.1) / off(0.05)), order, 0.5) << u;
+    }
+  }
+}
+
 TEST(BallStrip, RefusesWhatHasNoEnvelope) {
   const Wedge wedge(pi / 2);
   const BallTrack track = wedge.track(0.4);
