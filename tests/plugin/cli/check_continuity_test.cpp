@@ -54,6 +54,16 @@ TEST_F(CheckContinuityCommand, CountsEdgesByClassAndNamesTheWorst) {
   EXPECT_FALSE(has(run, "less than")) << run.out;
 }
 
+TEST_F(CheckContinuityCommand, ShowsZebraStripes) {
+  const std::string file = written(BRepPrimAPI_MakeCylinder(2, 5).Shape(), "pin.step");
+  const std::string plain = folder_ / "plain.png", zebra = folder_ / "zebra.png";
+  EXPECT_EQ(blossom({"check", "--continuity", file, "--picture", plain}).code, 0);
+  const Finished run = blossom({"check", "--continuity", file, "--zebra", "--picture", zebra});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_GT(std::filesystem::file_size(zebra), 1000U);
+  EXPECT_NE(testing::text_of(zebra), testing::text_of(plain));
+}
+
 TEST_F(CheckContinuityCommand, TableHasALineForEveryEdge) {
   const std::string file = written(BRepPrimAPI_MakeSphere(3).Shape(), "ball.brep");
   for (const char* flag : {"--edges", "-v"}) {

@@ -13,6 +13,7 @@
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/picture/mesh.h"
+#include "plugin/cli/picture/zebra.h"
 #include "plugin/cli/process/interruption.h"
 
 namespace blossom::cli {
@@ -44,11 +45,18 @@ struct EdgeLayers {
   }
 };
 
-Picture picture_of(const Input& input, const ContinuityReport& report) {
+Picture picture_of(const Input& input, const ContinuityReport& report, const CommonOptions& common,
+                   bool zebra) {
   Picture picture;
   picture.title = "continuity of " + short_name(input.name);
   picture.groups = {
       {input.faces, kFirstColour, kFirstOpacity, short_name(input.name), face_labels(input)}};
+  if (zebra) {
+    picture.view = common.look.view;
+    picture.width = common.look.width;
+    picture.height = common.look.height;
+    paint_zebra(picture);
+  }
   EdgeLayers layers;
   for (const occt::EdgeContinuity& edge : report.edges)
     if (std::vector<Vec3> points = edge_points(edge.edge); !points.empty())
@@ -80,11 +88,17 @@ void add_continuity_options(CLI::App& command, ContinuityCommand& options) {
   CLI::Option* const require = command.add_option("--require", options.require,
                                                   "edges less smooth are findings; G0 without");
   limit_to(*needing(require, wanted), {"G0", "G1", "G2"});
+  needing(command.add_flag("--zebra", options.zebra,
+                           "with --picture: stripes on the faces, as they would reflect rows of "
+                           "lamps; they break off, bend or go on where faces are G0, G1 or G2"),
+          wanted);
   needing(command.add_flag("--edges", options.table, "print a line for every edge, as -v"), wanted);
 }
 
 int run_continuity(const std::string& name, const CommonOptions& common,
                    const ContinuityCommand& command) {
+  if (command.zebra && picture_names(common).empty())
+    throw UsageError("--zebra needs a picture: --picture, --html or --glb");
   check_files(common, {name});
   const Input input = read_input(name);
   stop_if_interrupted();
@@ -94,7 +108,7 @@ int run_continuity(const std::string& name, const CommonOptions& common,
       command.table};
   stop_if_interrupted();
   const std::vector<PictureFile> pictures =
-      picture_files(common, [&] { return picture_of(input, report); });
+      picture_files(common, [&] { return picture_of(input, report, common, command.zebra); });
   write_pictures(pictures);
   if (!common.json.empty()) write_json(reports::continuity_report(input, report), common.json);
   print_summary(continuity_text(input.name, report, !common.picture.empty()), common.json);

@@ -17,9 +17,10 @@ struct ContinuityCommand {
   ContinuityTolerances tolerances;
   std::string require;  ///< --require: "G0", "G1", "G2", or empty
   bool table = false;
+  bool zebra = false;  ///< --zebra
 };
 
-/// --continuity, --gap, --angle, --curvature, --require, --edges.
+/// --continuity, --gap, --angle, --curvature, --require, --zebra, --edges.
 void add_continuity_options(CLI::App& command, ContinuityCommand& options);
 
 /// Reads, measures, reports; returns the exit code.
