@@ -89,7 +89,8 @@ struct FilletOptions {
   double radius = 1;  ///< model units; of no account with a law
   /// Radii along each run of edges, over [0, 1]: the share of the run's length from its start, and
   /// within an edge linear in the edge's parameter. Runs start where their edge of the least number
-  /// does.
+  /// does. Radii are the law's where edges meet; between, its rates at the ends of edges become
+  /// those by the way of the ball, so that strips meet. Round a closed run it has to come back.
   std::optional<RadiusLaw> law{};
   /// Radii of some edges' own, by number, in place of those above. They hold along all edges in
   /// which these go on smoothly: two of one run that differ are refused.

@@ -159,4 +159,24 @@ RadiusLaw RadiusLaw::over(const Interval& part, const Interval& range) const {
   return law;
 }
 
+// With s = x - range.from, h its length and d_0, d_1 what the rates lack:
+//   s (1 - s / h)^2 d_0 - s^2 / h (1 - s / h) d_1
+RadiusLaw RadiusLaw::with_rates(const Interval& range, double first, double last) const {
+  check(range);
+  const double h = length(range);
+  const double d0 = first - at(range.from).first, d1 = last - at(range.to).first;
+  const double c1 = d0, c2 = -(2 * d0 + d1) / h, c3 = (d0 + d1) / (h * h);
+  RadiusLaw law = *this;
+  if (law.kind_ == LawKind::Constant) law.kind_ = LawKind::Table;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const double s = breaks_[i] - range.from;
+    auto& piece = law.pieces_[i];
+    piece[0] += s * (c1 + s * (c2 + s * c3));
+    piece[1] += c1 + s * (2 * c2 + s * 3 * c3);
+    piece[2] += c2 + 3 * s * c3;
+    piece[3] += c3;
+  }
+  return law;
+}
+
 }  // namespace blossom

@@ -55,6 +55,10 @@ class RadiusLaw {
   /// make it constant.
   RadiusLaw over(const Interval& part, const Interval& range) const;
 
+  /// The same with other derivatives at the ends of a range, which is where the law is used: the
+  /// cubic is added that has these there, and no values.
+  RadiusLaw with_rates(const Interval& range, double first, double last) const;
+
   /// Of the same kind, with the same numbers.
   bool operator==(const RadiusLaw& other) const = default;
 

@@ -194,10 +194,11 @@ RolledSupport held_support(const BodyEdges& body, int edge, int face, double x, 
 
 }  // namespace
 
-RolledSupports rolled_supports(const BodyEdges& body, int edge, bool concave, double radius) {
+RolledSupports rolled_supports(const BodyEdges& body, int edge, bool concave, double radius,
+                               const std::optional<double>& at) {
   double first = 0, last = 0;
   BRep_Tool::Range(body.edge(edge), first, last);
-  const double middle = 0.5 * (first + last);
+  const double middle = at.value_or(0.5 * (first + last));
   const EdgeUseInFace &left = body.use(edge, true), &right = body.use(edge, false);
   const BodyEdges::Corner a = body.corner(left, middle), b = body.corner(right, middle);
   RolledSupports made;

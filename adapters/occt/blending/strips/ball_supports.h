@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "adapters/occt/blending/body_edges.h"
 #include "core/blending/balls/ball_track.h"
@@ -15,7 +16,7 @@ namespace blossom::occt {
 /// borders as its outer patches go on. Or an edge on which the ball leans, with the angle about it.
 struct RolledSupport {
   BezierSurface surface;
-  Vec2 at_edge;  ///< the edge's middle, in the surface's parameters
+  Vec2 at_edge;  ///< a point of the edge, in the surface's parameters
   Vec2 start;    ///< where a ball touches about
   int side = 1;  ///< of du x dv, on which the ball is
   bool is_edge = false;
@@ -29,11 +30,13 @@ struct RolledSupport {
 struct RolledSupports {
   std::array<RolledSupport, 2> of;  ///< to the left of the forward edge, to the right
   double width = 0;                 ///< of contacts from the edge, of its tangent planes
-  Vec3 middle;                      ///< of the edge
+  Vec3 middle;                      ///< of the edge, or the point asked for
 };
 
+/// at       parameter of the edge about which the ball is; nothing: its middle
 /// throws   BadModel if a face cannot be converted
-RolledSupports rolled_supports(const BodyEdges& body, int edge, bool concave, double radius);
+RolledSupports rolled_supports(const BodyEdges& body, int edge, bool concave, double radius,
+                               const std::optional<double>& at = std::nullopt);
 
 /// A ball that touches two faces.
 struct BallPlace {

@@ -2,15 +2,21 @@
 #include "adapters/occt/blending/strips/run_profiles.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/strips/held_strip.h"
+#include "adapters/occt/blending/strips/law_joints.h"
 #include "adapters/occt/convert/curves.h"
 
 namespace blossom::occt {
 namespace {
+
+// Radii of a law's ends that differ by less, of their size, are one.
+constexpr double kSameRadius = 1e-12;
 
 // The place of the edge with the least number.
 std::size_t leading(const EdgeRun& run) {
@@ -31,6 +37,16 @@ EdgeRadius common_radius(const EdgeRun& run, const FilletOptions& options) {
       refuse(each.edge, "it goes on smoothly in edge " + std::to_string(first.edge) +
                             ", and one fillet along both cannot have two radii");
   return common;
+}
+
+// A law that comes back to where it began leaves no step there.
+void check_closed(const RadiusLaw& law, int edge) {
+  const double first = law.at(0).value, last = law.at(1).value;
+  if (std::abs(first - last) <= kSameRadius * first) return;
+  char figures[64];
+  std::snprintf(figures, sizeof figures, "%.6g at its start, and %.6g at its end", first, last);
+  refuse(edge, std::string("it is in a run of edges that closes, and the law has a radius of ") +
+                   figures + ", which is the same place: there the strip would have a step");
 }
 
 }  // namespace
@@ -54,8 +70,7 @@ RunProfiles::RunProfiles(const BodyEdges& body, const EdgeRun& run, const Fillet
     chamfer_.angle = size.angle;
   }
   const EdgeRadius common = common_radius(run, options);
-  if (common.law && run.closed && !common.law->is_constant())
-    refuse(first.edge, "it closes a run of edges, along which the radius cannot change");
+  if (common.law && run.closed) check_closed(*common.law, first.edge);
   std::vector<double> lengths{0};
   for (const RunEdge& each : run.edges)
     lengths.push_back(lengths.back() + edge_length(body.edge(each.edge)));
@@ -73,6 +88,7 @@ RunProfiles::RunProfiles(const BodyEdges& body, const EdgeRun& run, const Fillet
     }
     of_.push_back(std::move(profile));
   }
+  if (common.law && !common.law->is_constant()) match_rates(body, run, of_);
 }
 
 // To the left and right of the forward edge.

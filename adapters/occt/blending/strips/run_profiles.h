@@ -18,7 +18,8 @@ bool is_same(const EdgeRadius& a, const EdgeRadius& b);
 
 class RunProfiles {
  public:
-  /// throws   FilletRefused if edges have different radii, or those of a closed run change
+  /// throws   FilletRefused if edges have different radii, or those of a closed run do not come
+  /// back
   RunProfiles(const BodyEdges& body, const EdgeRun& run, const FilletOptions& options);
 
   /// The strip of an edge of the run.

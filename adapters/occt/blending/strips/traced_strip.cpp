@@ -366,7 +366,11 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
     of->edge_range = common(domain, of->valid);
     if (of->edge_range.from > domain.from || of->edge_range.to < domain.to)
       of->refuse(FilletFault::LeavesFace, "the ball rolls only along a part of the edge", {});
-    return of->strip(of->valid);
+    if (!body.vertex({edge, true}).IsSame(body.vertex({edge, false}))) return of->strip(of->valid);
+    RolledStrip strip = of->strip(domain);
+    strip.closed = true;
+    strip.over = nullptr;
+    return strip;
   }
   const std::array<BallSupport, 2> on{of->supports.of[0].whole(), of->supports.of[1].whole()};
   // Where faces bend on the way to its contacts, the ball that is nearest to those of the edge's

@@ -97,5 +97,23 @@ TEST(RadiusLaw, KnowsItsExtremes) {
   }
 }
 
+TEST(RadiusLaw, WithRatesKeepsItsEndsAndHasTheRates) {
+  const Interval range{0.5, 2};
+  for (const RadiusLaw& law : {RadiusLaw::linear(range, 1, 3), RadiusLaw::constant(2),
+                               RadiusLaw::table({0.5, 1, 1.2, 2}, {1, 1.5, 1.4, 2})}) {
+    const RadiusLaw made = law.with_rates(range, 0.25, -0.5);
+    for (const double end : {range.from, range.to})
+      EXPECT_NEAR(made.at(end).value, law.at(end).value, 1e-14);
+    EXPECT_NEAR(made.at(range.from).first, 0.25, 1e-14);
+    EXPECT_NEAR(made.at(range.to).first, -0.5, 1e-13);
+    EXPECT_FALSE(made.is_constant());
+    for (const double knot : law.knots())  // what is added is one cubic
+      EXPECT_NEAR(made.at(knot - 1e-7).second, made.at(knot + 1e-7).second, 1e-4);
+  }
+  const RadiusLaw same = RadiusLaw::linear(range, 1, 4).with_rates(range, 2, 2);
+  EXPECT_NEAR(same.at(1.1).value, 2.2, 1e-14);
+  EXPECT_THROW(same.with_rates({2, 2}, 0, 0), InvalidInput);
+}
+
 }  // namespace
 }  // namespace blossom
