@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Opens what samples/boat.sh has written with Open CASCADE alone, and checks it: validity, number
-// of faces and holes, names, and that the pieces have the area of the whole.
+// Opens what samples/boat.sh, or with "aircraft" samples/aircraft.sh, has written with Open CASCADE
+// alone, and checks it: validity, number of faces and holes, names, areas and volumes.
 //
-// usage: check_result FOLDER
+// usage: check_result FOLDER [aircraft]
 
 #include <cmath>
 #include <exception>
@@ -10,6 +10,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -77,6 +78,24 @@ void check_part(const Part& part, int faces, int wires, const std::string& what)
   require(part.name.find("Hull") != std::string::npos, what + " is still called Hull");
 }
 
+double volume(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties, 1e-8);
+  return properties.Mass();
+}
+
+// Each root has the strip round its wing and the one along its trailing edge.
+void check_aircraft(const std::filesystem::path& folder) {
+  const Part sharp = read_part(folder / "aircraft.step");
+  const Part round = read_part(folder / "faired.step");
+  for (const auto& [part, what] : {std::pair{&sharp, "the aircraft"}, {&round, "the faired one"}})
+    require(BRepCheck_Analyzer(part->shape).IsValid(), std::string(what) + " is valid");
+  require(count(round.shape, TopAbs_FACE) == count(sharp.shape, TopAbs_FACE) + 4,
+          "there are four fillets");
+  const double more = volume(round.shape) - volume(sharp.shape);
+  require(more > 1e7 && more < 2e7, "they add 10 to 20 litres");
+}
+
 void check(const std::filesystem::path& folder) {
   const double whole = area(read_part(folder / "hull.step").shape);
 
@@ -99,13 +118,14 @@ void check(const std::filesystem::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: check_result FOLDER\n";
+  const bool of_aircraft = argc == 3 && std::string(argv[2]) == "aircraft";
+  if (argc != 2 && !of_aircraft) {
+    std::cerr << "usage: check_result FOLDER [aircraft]\n";
     return 2;
   }
   blossom::occt::quiet_messages();
   try {
-    check(argv[1]);
+    of_aircraft ? check_aircraft(argv[1]) : check(argv[1]);
   } catch (const std::exception& error) {
     std::cerr << "check_result: " << error.what() << '\n';
     return 1;

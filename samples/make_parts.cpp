@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Makes the STEP files that samples/run.sh and the README's lines work on, named and coloured:
 // hull.step with the skin of a boat, cutters.step with its deck and the tunnel of a bow thruster,
-// and two solids, block.step and drill.step.
+// fuselage.step and wings.step of an aircraft, and two solids, block.step and drill.step.
 //
 // usage: make_parts FOLDER
 
@@ -14,6 +14,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 
 #include "adapters/occt/shapes.h"
+#include "samples/aircraft_parts.h"
 #include "samples/hull_parts.h"
 
 namespace {
@@ -34,6 +35,13 @@ void make_parts(const std::filesystem::path& folder) {
   cutters.add(face_on(samples::deck()), "Deck", {0.93, 0.69, 0.33});
   cutters.add(face_on(samples::thruster_tunnel()), "Thruster tunnel", {0.55, 0.75, 0.45});
   blossom::occt::write_model(cutters, folder / "cutters.step");
+
+  blossom::occt::Model fuselage, wings;
+  fuselage.add(samples::fuselage(), "Fuselage", {0.36, 0.56, 0.78});
+  blossom::occt::write_model(fuselage, folder / "fuselage.step");
+  for (const int side : {1, -1})
+    wings.add(samples::wing(side), side > 0 ? "Starboard wing" : "Port wing", {0.93, 0.69, 0.33});
+  blossom::occt::write_model(wings, folder / "wings.step");
 
   blossom::occt::Model block;
   block.add(BRepPrimAPI_MakeBox(60, 40, 20).Shape(), "Block", {0.36, 0.56, 0.78});

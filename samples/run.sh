@@ -23,5 +23,8 @@ results=$root/build/samples
 step "sample: a boat"
 bash "$root/samples/boat.sh" "$build/plugin/cli/blossom" "$build/samples" "$results"
 
+step "sample: an aircraft"
+bash "$root/samples/aircraft.sh" "$build/plugin/cli/blossom" "$build/samples" "$results"
+
 printf '\nAll samples ran. Program: %s\nResults: %s\n' "$build/plugin/cli/blossom" "$results"
 ls -1 "$results"
