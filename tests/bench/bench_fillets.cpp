@@ -18,9 +18,11 @@
 //   crashed   the process died, or ran out of time
 //
 // What is valid has the largest angle between the normals of a blend face and a face of the model
-// along their edges, by `edge_continuity`, and is G1 if that is at most 1e-6 radians. Edges at
-// which they turn by more than one degree are no contacts but ends of strips, or edges on which the
-// ball leans. Faces of the model are those that have one of its surfaces.
+// along their contacts, by `edge_continuity`, and is G1 if that is at most 1e-6 radians, or what
+// the face itself turns by along its knot lines. Contacts are edges along which one parameter of
+// the blend's surface stays as it is, and the normals turn by at most one degree: others are ends
+// of strips, or edges on which the ball leans. Faces of the model are those that have one of its
+// surfaces.
 //
 // Both work in processes of their own. Seconds are of the work alone, in one thread; those that the
 // largest radius takes, for which the peer has no counterpart, are counted apart. The exit code
@@ -40,9 +42,14 @@
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box2d.hxx>
+#include <Geom2d_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <GeomLProp_SLProps.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -88,6 +95,7 @@ struct Outcome {
   double seconds_of_largest = 0;
   bool has_largest = false;
   double angle = -1;    // between normals along contacts, radians; -1: no contact was measured
+  bool smooth = false;  // G1
   char fault[16] = {};  // of what is refused
   char reason[240] = {};
 };
@@ -131,8 +139,60 @@ Verdict verdict_of(const TopoDS_Shape& before, const TopoDS_Shape& after, bool c
   return (concave ? change > 0 : change < 0) ? Verdict::Valid : Verdict::Wrong;
 }
 
-// The largest angle between normals along the contacts of blend faces.
-double contact_angle(const std::vector<TopoDS_Face>& blends, const std::vector<TopoDS_Face>& kept) {
+// Whether a curve of a blend's surface is a line of one parameter, as contacts are.
+bool is_iso_line(const TopoDS_Edge& edge, const TopoDS_Face& blend) {
+  double first = 0, last = 0;
+  const Handle(Geom2d_Curve) chart = BRep_Tool::CurveOnSurface(edge, blend, first, last);
+  if (chart.IsNull()) return false;
+  Bnd_Box2d box;
+  for (int i = 0; i <= 16; ++i) box.Add(chart->Value(first + (last - first) * i / 16));
+  double u0 = 0, v0 = 0, u1 = 0, v1 = 0;
+  box.Get(u0, v0, u1, v1);
+  return std::min(u1 - u0, v1 - v0) <= 1e-9 * std::max(u1 - u0, v1 - v0);
+}
+
+// By how much the normal of a face jumps at most along knot lines across which it is only
+// continuous: no blend can be more tangent to it there.
+double own_turn(const TopoDS_Face& face) {
+  const auto surface = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face));
+  if (surface.IsNull()) return 0;
+  double range[4], most = 0;
+  BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
+  const auto jump = [&](double u, double v, bool in_u, double step) {
+    gp_Dir normals[2];
+    for (const int side : {0, 1}) {
+      const double off = side == 0 ? -step : step;
+      GeomLProp_SLProps at(surface, u + (in_u ? off : 0), v + (in_u ? 0 : off), 1, 1e-12);
+      if (!at.IsNormalDefined()) return 0.0;
+      normals[side] = at.Normal();
+    }
+    return normals[0].Angle(normals[1]);
+  };
+  for (const bool in_u : {true, false})
+    for (int k = 2; k < (in_u ? surface->NbUKnots() : surface->NbVKnots()); ++k) {
+      const int count = in_u ? surface->UMultiplicity(k) : surface->VMultiplicity(k);
+      if (count < (in_u ? surface->UDegree() : surface->VDegree())) continue;
+      const double knot = in_u ? surface->UKnot(k) : surface->VKnot(k);
+      const double *own = in_u ? range : range + 2, *other = in_u ? range + 2 : range;
+      if (!(knot > own[0] && knot < own[1])) continue;
+      for (int i = 0; i <= 32; ++i) {
+        const double along = other[0] + (other[1] - other[0]) * i / 32;
+        const double step = 1e-9 * (own[1] - own[0]);
+        most = std::max(most, jump(in_u ? knot : along, in_u ? along : knot, in_u, step));
+      }
+    }
+  return most;
+}
+
+// The largest angle between normals along the contacts of blend faces, and whether it is no larger
+// than 1e-6, or what the face turns by itself.
+struct ContactAngle {
+  double value = -1;
+  bool smooth = true;
+};
+
+ContactAngle contact_angle(const std::vector<TopoDS_Face>& blends,
+                           const std::vector<TopoDS_Face>& kept) {
   TopoDS_Compound beside;
   BRep_Builder().MakeCompound(beside);
   TopTools_MapOfShape edges, own;
@@ -149,14 +209,25 @@ double contact_angle(const std::vector<TopoDS_Face>& blends, const std::vector<T
       }
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(beside, TopAbs_FACE, faces);
-  double angle = -1;
+  ContactAngle angle;
   for (const occt::EdgeContinuity& each : occt::edge_continuity(beside)) {
     if (each.kind != occt::EdgeRole::Shared || !each.found) continue;
     const auto is_blend = [&](int face) { return own.Contains(faces(face)); };
     if (is_blend(each.faces[0]) == is_blend(each.faces[1])) continue;
-    if (each.found->angle.value <= kNoContact) angle = std::max(angle, each.found->angle.value);
+    const std::size_t blend = is_blend(each.faces[0]) ? 0 : 1;
+    const double value = each.found->angle.value;
+    if (value > kNoContact || !is_iso_line(each.edge, TopoDS::Face(faces(each.faces[blend]))))
+      continue;
+    angle.value = std::max(angle.value, value);
+    if (value > kSmooth)
+      angle.smooth = angle.smooth && value <= own_turn(TopoDS::Face(faces(each.faces[1 - blend])));
   }
   return angle;
+}
+
+void set_angle(Outcome& outcome, const ContactAngle& angle) {
+  outcome.angle = angle.value;
+  outcome.smooth = angle.value >= 0 && angle.smooth;
 }
 
 Outcome ours(const TopoDS_Shape& shape, const Job& job) {
@@ -196,7 +267,7 @@ Outcome ours(const TopoDS_Shape& shape, const Job& job) {
     for (const occt::FilletedSolid& each : made.solids)
       for (const occt::FilletFace& face : each.faces)
         (face.from > 0 ? kept : blends).push_back(face.face);
-    outcome.angle = contact_angle(blends, kept);
+    set_angle(outcome, contact_angle(blends, kept));
   } catch (const std::exception& error) {
     outcome.verdict = Verdict::Refused;
     std::strncpy(outcome.fault, "exception", sizeof outcome.fault - 1);
@@ -225,7 +296,7 @@ Outcome theirs(const TopoDS_Shape& shape, const Job& job) {
     for (TopExp_Explorer it(maker.Shape(), TopAbs_FACE); it.More(); it.Next())
       (surfaces.count(surface_of(it.Current())) > 0 ? kept : blends)
           .push_back(TopoDS::Face(it.Current()));
-    outcome.angle = contact_angle(blends, kept);
+    set_angle(outcome, contact_angle(blends, kept));
   } catch (const Standard_Failure&) {
     outcome.verdict = Verdict::Refused;
   }
@@ -279,7 +350,7 @@ struct Table {
     seconds_of_largest += outcome.seconds_of_largest;
     told += outcome.has_largest ? 1 : 0;
     if (outcome.verdict != Verdict::Valid) return;
-    smooth += outcome.angle >= 0 && outcome.angle <= kSmooth ? 1 : 0;
+    smooth += outcome.smooth ? 1 : 0;
     angle = std::max(angle, outcome.angle);
   }
   void print(const char* who) const {
