@@ -117,6 +117,7 @@ void paint_zebra(Picture& picture) {
     }
   }
   picture.groups = {std::move(dark), std::move(light)};
+  picture.subtitle = "stripes as faces would reflect rows of lamps";
 }
 
 }  // namespace blossom::cli
