@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/reports/blends/blend_words.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -80,10 +82,16 @@ RadiusLaw radius_law(const std::string& json) {
   if (kind != "linear" && kind != "smooth" && kind != "table")
     throw InvalidInput("a law's \"law\" is \"linear\", \"smooth\" or \"table\"");
   const std::vector<double> radii = numbers_of(law, "radii");
+  if (std::ranges::any_of(radii, [](double r) { return !(r > 0) || !std::isfinite(r); }))
+    throw InvalidInput("a law's \"radii\" are positive");
   if (kind == "table") {
     const std::vector<double> at = numbers_of(law, "at");
     if (at.front() != 0 || at.back() != 1)
       throw InvalidInput("a law's \"at\" begins with 0 and ends with 1");
+    if (std::ranges::adjacent_find(at, std::greater_equal<>()) != at.end())
+      throw InvalidInput("a law's \"at\" grows from each number to the next");
+    if (at.size() != radii.size())
+      throw InvalidInput("a law that is a table has as many \"radii\" as \"at\"");
     return RadiusLaw::table(at, radii);
   }
   if (radii.size() != 2)

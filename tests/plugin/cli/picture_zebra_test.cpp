@@ -67,7 +67,7 @@ TEST(Zebra, OnABallIsByTheHeightOfTheReflection) {
     if (std::abs(at[0]) > 0.05 || at[1] > 0 || std::abs(at[2]) > 0.6) continue;
     const double stripe = std::asin(at[2]) * 180 / M_PI / 2.8125;
     const double into = stripe - 2 * std::floor(stripe / 2);  // dark ones are 0 to 1 of each two
-    EXPECT_TRUE(into < 1.05 || into > 1.95) << stripe;
+    EXPECT_TRUE(into < 1.1 || into > 1.9) << stripe;
     ++seen;
   }
   EXPECT_GT(seen, 100);
