@@ -43,6 +43,10 @@ struct IntersectionOptions {
   /// Pairs of cells examined before giving up with Status::Stopped.
   long budget = 2'000'000;
 
+  /// Cells examined for contacts of surfaces that nearly touch, over all patches, before giving up
+  /// likewise; 0 means no limit but those of pairs of patches.
+  long contact_budget = 0;
+
   /// Seconds before giving up with Status::Stopped; 0 means no limit. To write down what was found
   /// by then may take a quarter longer.
   double time_limit = 0;

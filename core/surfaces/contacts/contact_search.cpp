@@ -181,7 +181,10 @@ class ContactSearch {
 
   bool out_of_budget() {
     if (result_.stopped) return true;
-    if (++cells_ > kMaxCells) return stop("the budget of contact cells is spent");
+    ++result_.contact_cells;
+    const bool is_spent =
+        options_.contact_budget > 0 && result_.contact_cells > options_.contact_budget;
+    if (++cells_ > kMaxCells || is_spent) return stop("the budget of contact cells is spent");
     if (cells_ % kAskEvery != 0) return false;
     const char* reason = limit_.reached();
     if (reason == nullptr) return false;

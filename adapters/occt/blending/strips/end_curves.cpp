@@ -51,6 +51,9 @@ constexpr double kFootRoom = 0.25;  // of the feet's box: how far beyond it is s
 // Pairs of cells. One curve between two known places takes some thousands; surfaces that touch
 // along each other take all there are, and have no curve to be found.
 constexpr long kMaxPairs = 100'000;
+// Likewise, of cells that are looked at for contacts, which take some hundred times as long: an end
+// goes through its face, and where it does so at a small angle some hundreds tell.
+constexpr long kMaxContactCells = 500;
 // Newton's steps to a common point of three surfaces, the last ones of which double its digits; and
 // of Open CASCADE's confusion, how near it has to come to all of them.
 constexpr int kCommonSteps = 20;
@@ -240,6 +243,7 @@ std::optional<EndCurve> best_curve(const BezierSurface& on_face, const TopoDS_Fa
                                    const Vec3& from, const Vec3& to, double reach) {
   IntersectionOptions options;
   options.budget = kMaxPairs;
+  options.contact_budget = kMaxContactCells;
   const SurfaceIntersection found = intersect(on_face, on_other, options);
   std::optional<EndCurve> best;
   double least = reach;
