@@ -202,7 +202,7 @@ SolidTrimResult divided(LabelledInputs& inputs, SolidOperation operation, LayerW
 }
 
 // Those of inputs, which are as they were given.
-TopTools_MapOfShape faces_of(const TrimTool& part, const std::vector<TrimTool>& tools) {
+TopTools_MapOfShape faces_given_of(const TrimTool& part, const std::vector<TrimTool>& tools) {
   TopTools_MapOfShape faces;
   for (const TopoDS_Face& face : part.faces) faces.Add(face);
   for (const TrimTool& tool : tools)
@@ -251,14 +251,14 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
     LabelledInputs inputs(sound.part(), sound.tools(), names,
                           std::max(options.tolerances.point, stated), limit);
     ConeVolumes cones(cone_apex(sound.part()));
-    LayerWork work{limit, cones, faces_of(part, tools), stated, names, {}};
+    LayerWork work{limit, cones, faces_given_of(part, tools), stated, names, {}};
     result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
                                                : divided(inputs, operation, work);
     add_facts(work.told, result);
     result.tolerances = sound.told();
     // Later steps may have changed edges and vertices of faces that are left of earlier ones.
     if (result.obstacles.empty() && result.volumes.size() > 1 &&
-        !are_valid(result.solids, faces_of(part, tools), own_limit))
+        !are_valid(result.solids, faces_given_of(part, tools), own_limit))
       result.obstacles.emplace_back(kInvalidSolid);
     if (result.obstacles.empty()) {
       narrow_vertices(result.solids, all_of(sound));
@@ -411,7 +411,7 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
     left.time_limit = left.time_limit > 0 ? std::min(left.time_limit, most) : most;
     find_own_contacts(part, tools, left, result);
   });
-  const TopTools_MapOfShape given = faces_of(part, tools);
+  const TopTools_MapOfShape given = faces_given_of(part, tools);
   for (SolidFace& of : result.faces) of.as_given = given.Contains(of.face);
   if (const auto copies = kept.parted(); !copies.IsNull()) part_from_inputs(*copies, result);
   if (!part.is_solid()) result.open_part = describe_open_shell(part);

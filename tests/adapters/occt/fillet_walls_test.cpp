@@ -26,7 +26,9 @@
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
+#include "adapters/occt/full_round.h"
 #include "adapters/occt/mass.h"
+#include "core/base/errors.h"
 #include "tests/adapters/occt/fillet_checks.h"
 
 namespace blossom::occt {
@@ -188,6 +190,59 @@ TEST(FilletOfAWall, WithDraftEndsInTheWallsBesideItAsBetweenPlanes) {
     return;
   }
   FAIL() << "no such edge";
+}
+
+TopoDS_Shape prism_of(const std::vector<gp_Pnt>& corners, const gp_Vec& along) {
+  BRepBuilderAPI_MakePolygon wire;
+  for (const gp_Pnt& corner : corners) wire.Add(corner);
+  wire.Close();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire(), true).Face(), along).Shape();
+}
+
+void expect_full_round(const TopoDS_Shape& wall, const std::vector<int>& edges,
+                       const Interval& radii) {
+  ASSERT_EQ(edges.size(), 2U);
+  const auto own = full_round_radii(wall, edges[0], edges[1]);
+  for (const auto& [edge, of] : own) {
+    const Interval found = of.law ? of.law->extremes({0, 1}) : Interval{of.radius, of.radius};
+    EXPECT_NEAR(found.from, radii.from, 1e-12);
+    EXPECT_NEAR(found.to, radii.to, 1e-12);
+  }
+  const FilletResult made = fillet(wall, edges, {.own = own});
+  expect_sound(made, 1e-6);
+  EXPECT_EQ(made.status, Status::Complete);
+  EXPECT_EQ(made.solids.front().faces.size(), 7U);  // the top is gone, two strips are there
+}
+
+// The top is a trapezoid of the width 2 at x = 0 and 6 at x = 40. Across an edge it is farther to
+// the middle than half of that.
+TEST(FullRound, LeavesNothingOfAFaceWhoseEdgesAreNotParallel) {
+  const TopoDS_Shape wall =
+      prism_of({{0, -1, 0}, {40, -3, 0}, {40, 3, 0}, {0, 1, 0}}, gp_Vec(0, 0, 10));
+  std::vector<int> edges;
+  for (const EdgeFacts& each : edge_facts(wall))
+    if (each.middle[2] == 10 && each.middle[0] == 20) edges.push_back(each.number);
+  const double over = std::sqrt(1 + 0.05 * 0.05);
+  expect_full_round(wall, edges, {over, 3 * over});
+}
+
+// The normals at the top's edges turn by atan(10 / 2) and atan(10 / 3).
+TEST(FullRound, TakesOneRadiusBetweenWallsOfDifferentDraft) {
+  const TopoDS_Shape wall =
+      prism_of({{0, -4, 0}, {0, 5, 0}, {0, 2, 10}, {0, -2, 10}}, gp_Vec(40, 0, 0));
+  std::vector<int> edges;
+  for (const EdgeFacts& each : edge_facts(wall))
+    if (each.middle[2] == 10 && each.middle[0] == 20) edges.push_back(each.number);
+  const double radius = 4 / (std::tan(std::atan(5) / 2) + std::tan(std::atan(10.0 / 3) / 2));
+  expect_full_round(wall, edges, {radius, radius});
+}
+
+TEST(FullRound, RefusesOtherEdges) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1., 2., 3.).Shape();
+  EXPECT_THROW(full_round_radii(box, 1, 1), InvalidInput);
+  EXPECT_THROW(full_round_radii(box, 1, 13), InvalidInput);
+  const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(1, 3).Shape();
+  EXPECT_THROW(full_round_radii(pin, 1, 3), InvalidInput);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
+#include "adapters/occt/full_round.h"
 #include "core/base/errors.h"
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/options.h"
@@ -57,6 +58,7 @@ struct FilletCommand {
   std::string setback;           ///< --setback
   occt::FilletOptions fillet{};  ///< both of them, read
   bool partial = false;
+  bool full_round = false;
 
   bool is_chamfer() const { return fillet.chamfer.has_value(); }
   CommonOptions common;
@@ -202,6 +204,17 @@ void choose_edges_of_parts(FilletCommand& command, const Input& part) {
   command.fillet.own = command.chosen.own;
 }
 
+// The radii that leave nothing of the face between both edges.
+void choose_full_round(FilletCommand& command, const Input& part) {
+  if (!command.full_round) return;
+  std::string note;
+  const std::vector<int> edges = reports::edges_asked(wish_of(command), part, note);
+  if (edges.size() != 2)
+    throw UsageError("--full-round takes two edges, not " + std::to_string(edges.size()));
+  command.fillet.own = occt::full_round_radii(part.model.shape(), edges[0], edges[1]);
+  command.chosen.own = command.fillet.own;
+}
+
 int run(FilletCommand command) {
   check_options(command);
   check_files(command.common, {command.part});
@@ -210,6 +223,7 @@ int run(FilletCommand command) {
     throw UsageError(command.part + ": " + (command.is_chamfer() ? "chamfers" : "fillets") +
                      " are made in whole models and parts, not in some faces");
   choose_edges_of_parts(command, part);
+  choose_full_round(command, part);
   stop_if_interrupted();
   TimedFillets timed = timed_fillet(command, part);
   stop_if_interrupted();
@@ -320,6 +334,10 @@ bool has_all_radii(const FilletCommand& command) {
 /// --radius or --law.
 void read_radii(FilletCommand& command) {
   read_edges(command);
+  if (command.full_round) {
+    if (command.size.empty() && command.law.empty() && command.chosen.own.empty()) return;
+    throw UsageError("--full-round goes without --radius, --law and radii of edges");
+  }
   if (command.size.empty() && command.law.empty() && has_all_radii(command)) return;
   if (command.size.empty() == command.law.empty())
     throw UsageError(
@@ -369,6 +387,9 @@ void add_blend_fillet(CLI::App& blend, int& exit_code) {
       ->add_option("--setback", options->setback,
                    "how far from a vertex of three and more edges their strips end, mm")
       ->type_name("D");
+  command->add_flag("--full-round", options->full_round,
+                    "in place of a radius: those with which two straight edges of one plane face "
+                    "leave nothing of it, also where they are not parallel");
   command->callback([options, &exit_code] {
     read_radii(*options);
     if (!options->setback.empty())

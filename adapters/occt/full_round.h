@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Full rounds: fillets of two edges of one face that meet in it and leave nothing of it.
+
+#pragma once
+
+#include <map>
+
+#include <TopoDS_Shape.hxx>
+
+#include "adapters/occt/fillet.h"
+
+namespace blossom::occt {
+
+/// The radii with which one ball touches a plane face and the planes beside two straight edges of
+/// it, all along: constant where the edges are parallel, else linear.
+///
+/// With T = tan(turn / 2) of the turn of the normals at an edge, D the distance of a point of the
+/// one edge from the other one and c the cosine of the directions across both into the face,
+///
+///   the contact is r T_1 from the one edge, and D + r T_1 c = r T_2 from the other:
+///   r = D / (T_2 - T_1 c)
+///
+/// shape    as of `fillet`
+/// returns  by edge, as `FilletOptions::own`
+/// throws   InvalidInput, saying why, if they are no such edges
+std::map<int, EdgeRadius> full_round_radii(const TopoDS_Shape& shape, int edge_a, int edge_b);
+
+}  // namespace blossom::occt
