@@ -28,10 +28,12 @@ constexpr double kWide = -0.5;  // cosine of a section's angle, below: degree 4
 // Halving a span divides what it is off by 2^5 to 2^6 in the end, and by less while it is long. A
 // span that is off by more than two halvings can mend even so is halved twice at once.
 constexpr double kTwice = 0x1p16;
-constexpr double kUneven = 2.001;   // ratio of neighbouring spans, more is halved
-constexpr double kSameRate = 1e-8;  // relative: no kink
-constexpr double kNoWidth = 1e-9;   // of the radius: a section without a direction
-constexpr double kRateStep = 1e-3;  // of the domain, for the derivative where a loop closes
+constexpr double kUneven = 2.001;     // ratio of neighbouring spans, more is halved
+constexpr double kSameRate = 1e-8;    // relative: no kink
+constexpr double kFading = 0.4306;    // of errors beside a step, by span: the quintic cardinal root
+constexpr double kBesideStep = 0.25;  // of the radius: spans beside a step are no shorter
+constexpr double kNoWidth = 1e-9;     // of the radius: a section without a direction
+constexpr double kRateStep = 1e-3;    // of the domain, for the derivative where a loop closes
 
 struct Check {
   BallPoint ball;
@@ -50,6 +52,11 @@ struct FitSpan {
 Vec2 place_of(const BallSupport& support, const Vec2& chart) {
   return support.is_edge ? Vec2{chart[0], 0} : chart;
 }
+
+// By how much a ball jumps over a slight crease of a support: no whole strip comes nearer to both.
+struct Jump {
+  double parameter = 0, gap = 0, angle = 0, shortest = 0;  // the last of spans beside it
+};
 
 // What was found at the checks of a span.
 struct Measured {
@@ -80,7 +87,8 @@ class StripFitter {
   int multiplicity_at(double knot) const;
   void fit();
   Measured measured(std::size_t span) const;
-  double excess(const Measured& m) const;
+  void add_jump(double parameter);
+  double excess(std::size_t span) const;
   bool refine();
   void level();
   void split(std::size_t span, int times);
@@ -94,6 +102,7 @@ class StripFitter {
   bool closed_ = false;
   std::vector<FitSpan> spans_;
   std::vector<Measured> found_;  // of each, by the last look at all
+  std::vector<Jump> jumps_;
   RowSpline spline_;
 };
 
@@ -104,7 +113,10 @@ StripFitter::StripFitter(const BallTrack& track, const Interval& range,
   std::vector<double> breaks{range.from};
   for (const BallTrack::Node& node : track.nodes()) {
     if (node.parameter <= range.from || node.parameter >= range.to) continue;
-    if (node.is_break) breaks.push_back(node.parameter);
+    if (node.is_break) {
+      breaks.push_back(node.parameter);
+      add_jump(node.parameter);
+    }
     const CharacteristicCircle c = characteristic_circle(track.at(node.parameter));
     least = std::min(least, dot(c.to_contact[0], c.to_contact[1]));
   }
@@ -261,11 +273,36 @@ Measured StripFitter::measured(std::size_t span) const {
   return m;
 }
 
-// What is found over what may be: at most 1 where it is good.
-double StripFitter::excess(const Measured& m) const {
-  return std::max(std::max({m.gap[0], m.gap[1], m.section}) / options_.gap,
-                  std::max(m.angle[0], m.angle[1]) / options_.angle) /
-         kShare;
+void StripFitter::add_jump(double parameter) {
+  const BallPoint before = track_.at(parameter, false), after = track_.at(parameter, true);
+  Jump jump{parameter, distance(before.centre, after.centre), 0,
+            kBesideStep * after.radius / norm(after.centre_rate)};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const BallContact &a = before.contacts[k], &b = after.contacts[k];
+    jump.gap = std::max(jump.gap, distance(a.point, b.point));
+    jump.angle =
+        std::max(jump.angle, std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal)));
+  }
+  const bool shows = jump.gap > kShare * options_.gap || jump.angle > kShare * options_.angle;
+  if (shows) jumps_.push_back(jump);
+}
+
+// Of a span, what is found over what may be: at most 1 where it is good. Steps h turn it by h / l.
+double StripFitter::excess(std::size_t span) const {
+  const Interval& place = spans_[span].place;
+  double gap = options_.gap, angle = options_.angle;
+  for (const Jump& jump : jumps_) {
+    const auto away = std::ranges::count_if(spans_, [&](const FitSpan& other) {
+      return (other.place.from >= jump.parameter && other.place.to <= place.from) ||
+             (other.place.from >= place.to && other.place.to <= jump.parameter);
+    });
+    const double share = length(place) <= jump.shortest ? std::pow(kFading, double(away)) : 0;
+    gap += share * jump.gap;
+    angle += share * (jump.angle + jump.gap / length(place));
+  }
+  const Measured& m = found_[span];
+  const double off = std::max({m.gap[0], m.gap[1], m.section});
+  return std::max(off / gap, std::max(m.angle[0], m.angle[1]) / angle) / kShare;
 }
 
 // Halved so many times.
@@ -306,7 +343,7 @@ bool StripFitter::refine() {
   found_.clear();
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     found_.push_back(measured(i));
-    const double excess = this->excess(found_.back());
+    const double excess = this->excess(i);
     if (excess <= 1) continue;
     times[i] = excess > kTwice ? 2 : 1;
   }

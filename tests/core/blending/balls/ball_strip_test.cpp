@@ -377,6 +377,30 @@ TEST(BallStrip, OfContinuousCurvatureHasTheSurfacesCurvature) {
   }
 }
 
+// A floor of two planes that make a slight crease across the way, as exported surfaces have them
+// along knot lines: no strip that is whole is tangent to both, and short spans do not help.
+TEST(BallStrip, OverASlightCreaseTakesFewSpans) {
+  for (const double crease : {1.4e-5, -1.4e-5, 1e-6}) {
+    BezierSurface floor = plane_patch({-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1}, {0, 2});
+    const BezierSurface next = plane_patch({0, 0, 0}, {1, 0, crease}, {0, 1, 0}, {0, 1}, {0, 2});
+    floor.u_knots = {0, 1, 2};
+    const RationalBezierPatch first = floor.patches(0, 0), second = next.patches(0, 0);
+    floor.patches = Grid<RationalBezierPatch>(2, 1, first);
+    floor.patches(1, 0) = second;
+    const BezierSurface wall = testing::bicubic([](double s, double t) {
+      return Vec3{2 * s - 1, 0.1 * s * s, 1.5 * t - 0.5};
+    });
+    const BallTrack track = track_through(whole_support(floor, 1), whole_support(wall, -1), 0.2,
+                                          {Vec2{0.6, 0.3}, Vec2{0.3, 0.5}})
+                                .value();
+    ASSERT_GT(length(track.domain()), 1.5);
+    const BallStrip strip = ball_strip(track, track.domain());
+    EXPECT_LT(strip.knots.size(), 40U) << crease;
+    EXPECT_LT(strip.contacts[0].gap, 0.2 * std::abs(crease) + 1e-8);
+    EXPECT_LT(strip.contacts[0].normal_angle, 2 * std::abs(crease) + 2e-7);
+  }
+}
+
 // Off the floor z = f(x), along a section, a strip is of the order of the first derivative in which
 // they differ.
 TEST(BallStrip, OfContinuousRatesOfCurvatureLeavesTheSurfaceByFourthOrder) {
