@@ -49,17 +49,13 @@ const CurveEdge* counterpart(const CurveEdge& edge, const std::vector<CurveEdge>
 }
 
 // Joins what one side made and the other has.
-bool join_along(const CurveEdges& a, const CurveEdges& b, const CommonEdges& common,
-                EdgeUnion& joined) {
+bool join_made(const CurveEdges& a, const CurveEdges& b, const CommonEdges& common,
+               EdgeUnion& joined) {
   return std::ranges::all_of(a.made, [&](const CurveEdge& made) {
     const CurveEdge* there = counterpart(made, b.along);
     if (counterpart(made, b.made) != nullptr || there == nullptr) return true;
     if (!have_same_ends(made, *there)) return false;
-    const TopoDS_Edge first = joined.first(there->edge);
-    const bool reversed = first.Orientation() == TopAbs_REVERSED;
-    const TopoDS_Edge image =
-        common.image(TopoDS::Edge(first.Oriented(TopAbs_FORWARD)), made.edge, reversed);
-    return joined.join(first, made.edge, image, reversed);
+    return join_along(there->edge, made.edge, common, joined);
   });
 }
 
@@ -103,6 +99,15 @@ bool match(const CurveEdges& a, const CurveEdges& b) {
   return is_matched(a, b) && is_matched(b, a);
 }
 
+bool join_along(const TopoDS_Edge& other, const TopoDS_Edge& edge, const CommonEdges& common,
+                EdgeUnion& joined) {
+  const TopoDS_Edge first = joined.first(other);
+  const bool reversed = first.Orientation() == TopAbs_REVERSED;
+  const TopoDS_Edge image =
+      common.image(TopoDS::Edge(first.Oriented(TopAbs_FORWARD)), edge, reversed);
+  return joined.join(first, edge, image, reversed);
+}
+
 bool join_matching(const CurveEdges& a, const CurveEdges& b, const CommonEdges& common,
                    EdgeUnion& joined) {
   for (const CurveEdge& made : a.made)
@@ -110,7 +115,7 @@ bool join_matching(const CurveEdges& a, const CurveEdges& b, const CommonEdges& 
         other != nullptr && !joined.join(made.edge, other->edge) &&
         !joined.join(other->edge, made.edge))  // others run along the second one
       return false;
-  return join_along(a, b, common, joined) && join_along(b, a, common, joined);
+  return join_made(a, b, common, joined) && join_made(b, a, common, joined);
 }
 
 double longest_rest(const Spline& curve, const CurveEdges& a, const CurveEdges& b) {

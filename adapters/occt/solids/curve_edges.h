@@ -36,6 +36,13 @@ bool is_matched(const CurveEdges& side, const CurveEdges& other);
 /// Whether that is so of both.
 bool match(const CurveEdges& a, const CurveEdges& b);
 
+/// Joins an edge to what stands for another one, along which it runs in the direction that this
+/// other one is turned to.
+/// returns   false if the edge is joined to another one already
+/// throws    Failure if they do not run along each other within their tolerances
+bool join_along(const TopoDS_Edge& other, const TopoDS_Edge& edge, const CommonEdges& common,
+                EdgeUnion& joined);
+
 /// Joins the edges of two sides that match; those that were there stay.
 /// returns   false if an edge is joined to another one already
 /// throws    Failure if edges do not run along each other within their tolerances

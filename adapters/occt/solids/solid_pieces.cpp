@@ -290,23 +290,13 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
   }
 }
 
-// An edge that lies in a face may run along another one as well, which stands for it then.
-bool join_coincident(const CoincidentEdge& coincident, const CommonEdges& common,
-                     EdgeUnion& joined) {
-  const TopoDS_Edge first = joined.first(coincident.piece);
-  if (first.IsSame(coincident.piece))
-    return joined.join(first, coincident.edge, coincident.edge, false);
-  const bool reversed = first.Orientation() != coincident.piece.Orientation();
-  const TopoDS_Edge image =
-      common.image(TopoDS::Edge(first.Oriented(TopAbs_FORWARD)), coincident.edge, reversed);
-  return joined.join(first, coincident.edge, image, reversed);
-}
-
+// An edge that lies in a face may have been joined to one that it runs along as well.
 void join_coincident(const Side& side, const CommonEdges& common, EdgeUnion& joined,
                      SolidPieces& result) {
   for (std::size_t i = 0; i < side.faces.size(); ++i)
     for (const CoincidentEdge& coincident : side.faces[i].split().coincident)
-      if (!join_coincident(coincident, common, joined))
+      if (!joined.join(coincident.piece, coincident.edge, coincident.edge, false) &&
+          !join_along(coincident.piece, coincident.edge, common, joined))
         result.obstacles.push_back(side.face_name(i) +
                                    ": an edge of the other solid lies in two of its faces");
 }
