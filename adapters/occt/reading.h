@@ -36,6 +36,7 @@ struct Loss {
 /// All losses of a reading.
 struct ReadingReport {
   std::vector<Loss> losses;
+  std::vector<std::string> notes = {};  ///< what was made otherwise than the file has it, in words
 
   ReadingGrade grade() const;
 

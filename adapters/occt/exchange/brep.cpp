@@ -34,6 +34,7 @@
 #include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/exchange/file_text.h"
+#include "adapters/occt/exchange/places.h"
 
 namespace blossom::occt {
 namespace {
@@ -167,7 +168,11 @@ TopoDS_Shape text_shape(std::string_view text, ReadingReport& report) {
   const Table shapes = tables["TShapes"];
   const bool cut = is_cut_off(shapes);
   if (shapes.count == 0) return {};
-  StrictStream in{std::string(text)};
+  std::string fit(text);
+  if (const Table places = tables["Locations"]; places.found)
+    spoil_unfit_places(
+        fit, {static_cast<std::size_t>(places.rest.data() - text.data()), places.count, false});
+  StrictStream in{std::move(fit)};
   BRepTools_ShapeSet set{BRep_Builder()};
   TopoDS_Shape shape;
   if (!cut) {
@@ -208,8 +213,21 @@ TopoDS_Shape freecad_shape(BinTools_ShapeSet& set, std::istream& in) {
   return shape;
 }
 
+/// Of binary BREP, in which this table is the first.
+EntriesOfPlaces places_in(const std::string& bytes) {
+  constexpr std::string_view kName = "\nLocations ";
+  EntriesOfPlaces places{.binary = true};
+  const std::size_t name = bytes.find(kName), end = bytes.find('\n', name + 1);
+  if (name == std::string::npos || end == std::string::npos) return places;
+  places.at = end + 1;
+  std::from_chars(bytes.data() + name + kName.size(), bytes.data() + end, places.count);
+  return places;
+}
+
 TopoDS_Shape binary_shape(const std::string& bytes) {
-  StrictStream in(bytes);
+  std::string fit = bytes;
+  spoil_unfit_places(fit, places_in(bytes));
+  StrictStream in(std::move(fit));
   BinTools_ShapeSet set;
   set.Read(in);
   if (set.NbShapes() == 0) return {};

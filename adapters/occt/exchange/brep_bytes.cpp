@@ -8,6 +8,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/exchange/file_text.h"
+#include "adapters/occt/exchange/places.h"
 
 namespace blossom::occt {
 TopoDS_Shape shape_from_bytes(std::string_view bytes, const std::string& name) {
@@ -15,7 +16,8 @@ TopoDS_Shape shape_from_bytes(std::string_view bytes, const std::string& name) {
   TopoDS_Shape shape;
   ReadingReport report;
   try {
-    if (format_of_content(bytes) == Format::Brep) shape = brep_shape(std::string(bytes), report);
+    if (format_of_content(bytes) == Format::Brep)
+      shape = with_moving_places(brep_shape(std::string(bytes), report), report);
   } catch (const BadModel& bad) {
     throw BadModel(name + ": " + bad.what());
   }

@@ -22,7 +22,7 @@ void each_member(Way& way, AssemblyNode& node) {
 
 template <class Way>
 void each_member(Way& way, KeptFacts& facts) {
-  way(facts.unit), way(facts.raised), way(facts.losses);
+  way(facts.unit), way(facts.raised), each_member(way, facts.reading);
   way(facts.names), way(facts.paths), way(facts.parts), way(facts.assembly);
 }
 

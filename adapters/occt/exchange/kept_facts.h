@@ -13,9 +13,9 @@
 namespace blossom::occt {
 
 struct KeptFacts {
-  std::string unit;                    ///< see Contents
-  bool raised = false;                 ///< whether tolerances are StatedTolerances::Raised
-  std::vector<Loss> losses;            ///< of the reading
+  std::string unit;     ///< see Contents
+  bool raised = false;  ///< whether tolerances are StatedTolerances::Raised
+  ReadingReport reading;
   std::vector<std::string> names;      ///< of faces, by number - 1
   std::vector<std::string> paths;      ///< likewise, of their parts
   std::vector<std::string> parts;      ///< likewise, the parts' own names

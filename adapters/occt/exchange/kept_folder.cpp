@@ -125,8 +125,7 @@ KeptFacts facts_of(const Reading& reading, StatedTolerances stated) {
   const Contents& from = reading.contents;
   const TopTools_IndexedMapOfShape& faces = from.faces;
   const bool plain = !from.document;
-  KeptFacts facts{from.unit, stated == StatedTolerances::Raised, reading.report.losses, {}, {}, {},
-                  {}};
+  KeptFacts facts{from.unit, stated == StatedTolerances::Raised, reading.report, {}, {}, {}, {}};
   facts.names = plain ? face_names(from.parts, faces) : from.document->face_names(faces);
   facts.paths = plain ? part_paths(from.parts, faces) : from.document->part_paths(faces);
   facts.assembly =
@@ -163,7 +162,7 @@ bool KeptModel::take(Reading& reading, StatedTolerances& stated) const {
     KeptFacts facts = occt::facts_of(parts[0]);
     const TopoDS_Shape shape = shape_of_exact_bytes(parts[1]);
     stated = facts.raised ? StatedTolerances::Raised : StatedTolerances::Kept;
-    reading.report.losses = facts.losses;
+    reading.report = facts.reading;
     reading.contents.unit = facts.unit;
     reading.contents.document = kept_document(shape, std::move(facts));
     reading.contents.refresh();

@@ -28,7 +28,7 @@ struct PartNames {
 struct ModelValues {
   std::string unit;
   bool raised = false;
-  std::vector<Loss> losses;
+  ReadingReport reading;
   std::vector<CountBeside> beside;
   bool has_document = false;
   std::vector<PartNames> parts;
@@ -47,7 +47,8 @@ void each_member(Way& way, PartNames& names) {
 
 template <class Way>
 void each_member(Way& way, ModelValues& model) {
-  way(model.unit), way(model.raised), way(model.losses), way(model.beside);
+  way(model.unit), way(model.raised), way(model.beside);
+  each_member(way, model.reading);
   way(model.has_document), way(model.parts), way(model.shapes);
 }
 
@@ -84,7 +85,7 @@ std::optional<std::string> ModelBytes::of(const Model& model) {
   ModelValues values;
   values.unit = own.unit;
   values.raised = own.stated == StatedTolerances::Raised;
-  values.losses = own.reading.losses;
+  values.reading = own.reading;
   for (const auto& [kind, count] : own.beside) values.beside.push_back({kind, count});
   values.has_document = own.document != nullptr;
   std::optional<std::string> shapes =
@@ -101,7 +102,7 @@ Model ModelBytes::model(const std::string& bytes, const std::filesystem::path& f
   Model::Impl& own = *model.impl_;
   own.unit = values.unit;
   own.stated = values.raised ? StatedTolerances::Raised : StatedTolerances::Kept;
-  own.reading.losses = values.losses;
+  own.reading = values.reading;
   for (const CountBeside& each : values.beside) own.beside[each.kind] = each.count;
   if (values.has_document)
     own.document = document_of_bytes(values.shapes);

@@ -21,6 +21,7 @@ void list_other(Reading& reading, const std::filesystem::path& file, const std::
 
 /// Numbers of entities are those of the other file.
 void list_losses_of(const ReadingReport& other, const std::string& name, ReadingReport& report) {
+  for (const std::string& note : other.notes) report.notes.push_back(name + ": " + note);
   for (Loss loss : other.losses) {
     if (loss.belongs_to.empty()) loss.belongs_to.push_back("'" + name + "'");
     report.add(loss);

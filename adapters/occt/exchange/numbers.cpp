@@ -27,6 +27,7 @@
 #include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/exchange/places.h"
 
 namespace blossom::occt {
 namespace {
@@ -34,13 +35,6 @@ namespace {
 void check_tolerance(double tolerance) {
   if (!(std::isfinite(tolerance) && tolerance >= 0))
     throw BadModel("its tolerance is " + std::to_string(tolerance));
-}
-
-/// Open CASCADE moves nothing to a place that scales; mirrors it uses.
-void check_place(const TopoDS_Shape& shape) {
-  constexpr double kRounding = 1e-9;  // of the numbers of a file
-  const double scale = std::abs(shape.Location().Transformation().ScaleFactor());
-  if (!(std::abs(scale - 1) <= kRounding)) throw BadModel("its place scales it");
 }
 
 void check_face(const TopoDS_Face& face, const NumberSource& source) {

@@ -16,6 +16,7 @@
 #include "adapters/occt/exchange/model_files.h"
 #include "adapters/occt/exchange/modules.h"
 #include "adapters/occt/exchange/numbers.h"
+#include "adapters/occt/exchange/places.h"
 
 namespace blossom::occt {
 namespace {
@@ -66,7 +67,10 @@ void read_step_file(Reading& reading, ModelFiles& files) {
 
 void leave_out_bad_numbers(Format format, Reading& reading) {
   std::unordered_map<const TopoDS_TShape*, int> seen;
-  for (const PlainPart& part : reading.contents.parts) require_shallow(part.shape, 1, seen);
+  for (PlainPart& part : reading.contents.parts) {
+    require_shallow(part.shape, 1, seen);
+    if (format == Format::Brep) part.shape = with_moving_places(part.shape, reading.report);
+  }
   const NumberSource source(format == Format::Brep ? &reading.text : nullptr);
   if (reading.contents.document)
     reading.contents.document->leave_out_bad_faces(source, reading.report);

@@ -29,6 +29,11 @@ void each_member(Way& way, Loss& loss) {
   way(loss.which), way(loss.belongs_to);
 }
 
+template <class Way>
+void each_member(Way& way, ReadingReport& report) {
+  way(report.losses), way(report.notes);
+}
+
 /// Appends members to bytes.
 class ValuesOut {
  public:

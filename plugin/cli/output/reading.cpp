@@ -34,6 +34,7 @@ bool shapes_are_lost() {
 }
 
 void tell(const std::filesystem::path& file, const occt::ReadingReport& report) {
+  for (const std::string& made : report.notes) note(file.string() + ": " + made);
   if (report.losses.empty()) return;
   const bool more = report.losses.size() > 1 && verbosity() != Verbosity::Verbose;
   note(file.string() + ": " + report.summary() + (more ? "; -v lists all" : ""));

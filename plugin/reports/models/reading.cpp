@@ -16,8 +16,10 @@ Json loss_json(const occt::Loss& loss) {
 Json reading_json(const std::filesystem::path& file, const occt::ReadingReport& report) {
   Json losses = Json::array();
   for (const occt::Loss& loss : report.losses) losses.push_back(loss_json(loss));
-  return {
-      {"file", file.string()}, {"grade", to_string(report.grade())}, {"losses", std::move(losses)}};
+  return {{"file", file.string()},
+          {"grade", to_string(report.grade())},
+          {"losses", std::move(losses)},
+          {"notes", report.notes}};
 }
 
 }  // namespace blossom::reports

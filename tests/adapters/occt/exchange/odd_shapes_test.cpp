@@ -71,11 +71,11 @@ Model with_place(const std::string& row) {
   return read_model(folder / "placed.brep");
 }
 
-TEST(OddPlaces, FacesThatArePlacedWithAScaleAreLeftOut) {
+TEST(OddPlaces, FacesAtPlacesThatAreNoneAreLeftOut) {
   const Model model = with_place("3 0 0 5");
   EXPECT_EQ(model.face_count(), 6);
   ASSERT_EQ(model.reading().losses.size(), 1U);
-  EXPECT_EQ(model.reading().losses[0].cause, "its place scales it");
+  EXPECT_EQ(model.reading().losses[0].cause, "its place is no motion, with a scale or without");
   EXPECT_EQ(model.reading().losses[0].count, 6);
 }
 
