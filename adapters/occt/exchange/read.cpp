@@ -23,20 +23,16 @@ namespace {
 
 constexpr int kDeepestShape = 1000;  // compounds in each other, of which real models have some tens
 
-/// False for compounds of nothing but compounds.
+/// False for compounds of nothing but compounds, and for solids whose shells have no faces. A face
+/// without a border is all of its surface.
 bool holds_shapes(const TopoDS_Shape& shape) {
-  if (shape.ShapeType() != TopAbs_COMPOUND) return true;
-  for (TopoDS_Iterator it(shape); it.More(); it.Next())
+  if (shape.ShapeType() == TopAbs_VERTEX || shape.ShapeType() == TopAbs_FACE) return true;
+  for (TopoDS_Iterator it(shape, false, false); it.More(); it.Next())
     if (holds_shapes(it.Value())) return true;
   return false;
 }
 
-/// A face without a border is all of its surface.
-bool is_empty(const TopoDS_Shape& shape) {
-  return shape.IsNull() || !holds_shapes(shape) ||
-         (shape.ShapeType() != TopAbs_VERTEX && shape.ShapeType() != TopAbs_FACE &&
-          !TopoDS_Iterator(shape).More());
-}
+bool is_empty(const TopoDS_Shape& shape) { return shape.IsNull() || !holds_shapes(shape); }
 
 /// Open CASCADE takes time by the square of the depth, and a thread's stack has an end.
 ///

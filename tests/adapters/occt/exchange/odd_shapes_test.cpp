@@ -14,6 +14,8 @@
 #include <Poly_Triangulation.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
@@ -100,8 +102,18 @@ std::string refusal_of_brep(const TopoDS_Shape& shape, const std::string& versio
   return "accepted";
 }
 
+TopoDS_Shape solid_of_nothing() {
+  TopoDS_Shell shell;
+  TopoDS_Solid solid;
+  BRep_Builder().MakeShell(shell);
+  BRep_Builder().MakeSolid(solid);
+  BRep_Builder().Add(solid, shell);
+  return solid;
+}
+
 TEST(OddBreps, AreRefusedInWordsUnlessThereIsAFace) {
   EXPECT_EQ(refusal_of_brep(TopoDS_Shape()), "holds no shape");
+  EXPECT_EQ(refusal_of_brep(solid_of_nothing()), "holds no shape");
   EXPECT_EQ(refusal_of_brep(BRepBuilderAPI_MakeFace(gp_Pln()).Shape()), "accepted");
   EXPECT_EQ(refusal_of_brep(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), "9"),
             "is of no version that is known: 'CASCADE Topology V9, (c) Open Cascade'");
