@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "core/base/work_limit.h"
 #include "core/bounds/box_tree.h"
@@ -69,25 +69,35 @@ Box common(const Box& a, const Box& b) {
   return both;
 }
 
-// Boxes along curves on which the surface is singular: places that stay open.
+// Boxes along curves on which the surface is singular: places that stay open. There may be
+// thousands of them at one place.
 class OpenBoxes {
  public:
   explicit OpenBoxes(const std::vector<CriticalPair>& pairs)
-      : boxes_(boxes_of(pairs)), tree_(boxes_) {}
+      : boxes_(boxes_of(pairs)),
+        tree_(boxes_),
+        largest_(boxes_.empty() ? 0 : 2 * boxes_.size() - 1) {
+    for (std::size_t i = largest_.size(); i-- > 0;) {  // what is below a node comes behind it
+      const BoxTree::Node& node = tree_.node(static_cast<int>(i));
+      largest_[i] = node.item >= 0 ? diagonal(node.box)
+                                   : std::max(largest_[static_cast<std::size_t>(node.left)],
+                                              largest_[static_cast<std::size_t>(node.right)]);
+    }
+  }
 
-  // The largest diagonal of those that a box meets; nothing if it meets none.
-  std::optional<double> largest_at(const Box& box) const {
-    std::optional<double> largest;
-    constexpr double kMeet = std::numeric_limits<double>::min();  // square of a distance
-    tree_.for_each_near(box, kMeet, [&](int i) {
-      const double size = diagonal(boxes_[static_cast<std::size_t>(i)]);
-      largest = std::max(largest.value_or(0), size);
-      return kMeet;
-    });
-    return largest;
+  // Whether a box meets one whose diagonal is that long at least.
+  bool meets(const Box& box, double length) const {
+    return !largest_.empty() && meets_below(0, box, length);
   }
 
  private:
+  bool meets_below(int index, const Box& box, double length) const {
+    const BoxTree::Node& node = tree_.node(index);
+    if (largest_[static_cast<std::size_t>(index)] < length || !meet(node.box, box)) return false;
+    return node.item >= 0 || meets_below(node.left, box, length) ||
+           meets_below(node.right, box, length);
+  }
+
   static std::vector<Box> boxes_of(const std::vector<CriticalPair>& pairs) {
     std::vector<Box> boxes;
     for (const CriticalPair& pair : pairs)
@@ -97,6 +107,7 @@ class OpenBoxes {
 
   std::vector<Box> boxes_;
   BoxTree tree_;
+  std::vector<double> largest_;  // diagonals at or below a node, by its index
 };
 
 class SelfPairSearch {
@@ -309,13 +320,14 @@ class SelfPairSearch {
           place(a).u.from < place(b).u.from ||
           (place(a).u.from == place(b).u.from && place(a).v.from < place(b).v.from);
       const Part &low = forward ? a : b, &high = forward ? b : a;
-      const auto open = open_boxes.largest_at(common(box(a), box(b)));
-      if (!open) {
+      const Box both = common(box(a), box(b));
+      if (!open_boxes.meets(both, 0)) {
         result_.apart.push_back({block(low).patch, low.cell, block(high).patch, high.cell});
         return;
       }
-      if (std::max(diagonal(box(a)), diagonal(box(b))) <= kLikeOpen * *open || result_.stopped ||
-          !(may_halve(a) || may_halve(b)))
+      const double size = std::max(diagonal(box(a)), diagonal(box(b)));
+      if (result_.stopped || !(may_halve(a) || may_halve(b)) ||
+          open_boxes.meets(both, size / kLikeOpen))
         return keep({low, high}, false);
     }
     const bool of_a = first(a, b);
