@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -144,6 +145,39 @@ void add_empty_lists(std::string_view text, std::size_t begin, std::size_t end,
   }
 }
 
+/// The edge that an oriented edge is of, and where its "#" stands.
+struct EdgeReference {
+  std::string_view edge;
+  std::size_t place = 0;
+};
+using OrientedEdges = std::unordered_map<std::string_view, EdgeReference>;  // by their numbers
+
+OrientedEdges oriented_edges(std::string_view text) {
+  OrientedEdges oriented;
+  for_each_head(text, [&](std::string_view number, std::size_t place) {
+    if (!has_word(text, place, "ORIENTED_EDGE")) return;
+    while (place < text.size() && text[place] != '#' && text[place] != ';') {
+      const std::size_t behind = behind_quoted(text, place);
+      place = behind > place ? behind : place + 1;
+    }
+    if (place >= text.size() || text[place] == ';') return;
+    std::size_t end = place + 1;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    const std::string_view edge = text.substr(place + 1, end - place - 1);
+    oriented.try_emplace(number, EdgeReference{without_zeros(edge), place});
+  });
+  return oriented;
+}
+
+bool is_of_itself(const OrientedEdges& oriented, std::string_view number) {
+  auto next = oriented.find(number);
+  for (std::size_t steps = 0; next != oriented.end() && steps < oriented.size(); ++steps) {
+    if (next->second.edge == number) return true;
+    next = oriented.find(next->second.edge);
+  }
+  return false;
+}
+
 }  // namespace
 
 bool has_small_keywords(std::string_view text) {
@@ -207,6 +241,17 @@ void fill_empty_lists(std::string& text) {
   }
   filled.append(text, done);
   text = std::move(filled);
+}
+
+void open_edge_circles(std::string& text) {
+  std::vector<std::size_t> places;
+  const OrientedEdges oriented = oriented_edges(text);
+  for (const auto& [number, of] : oriented)
+    if (oriented.contains(of.edge) && is_of_itself(oriented, number)) places.push_back(of.place);
+  for (std::size_t place : places) {
+    text[place] = '$';
+    while (is_digit(text[++place])) text[place] = ' ';
+  }
 }
 
 }  // namespace blossom::occt

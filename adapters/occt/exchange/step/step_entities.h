@@ -27,4 +27,8 @@ void open_scopes(std::string& text);
 /// is missing.
 void fill_empty_lists(std::string& text);
 
+/// Puts "$" in the place of the edges of oriented edges that are of themselves, or of each other in
+/// a circle: Open CASCADE goes round in it until its stack ends. The text keeps its length.
+void open_edge_circles(std::string& text);
+
 }  // namespace blossom::occt

@@ -63,8 +63,11 @@ void close(std::string& text, ReadingReport& report) {
 
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
-/// What no text file has: STEP gives it no meaning, and a terminal may obey it.
-bool is_control(char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0 && !is_blank(c); }
+/// What STEP gives no meaning, and a terminal may obey; tabs, too, of which Open CASCADE takes some
+/// for a part of what stands beside them.
+bool is_control(char c) {
+  return std::iscntrl(static_cast<unsigned char>(c)) != 0 && c != '\n' && c != '\r';
+}
 
 void append_hex(std::uint32_t number, int digits, std::string& text) {
   for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4)
@@ -129,6 +132,7 @@ void mend_step_text(std::string& text, ReadingReport& report) {
   mend_step_sections(text);
   open_scopes(text);
   drop_repeated_entities(text, report);
+  open_edge_circles(text);
   fill_empty_lists(text);
   sort_complex_entities(text);
   renumber_large_entities(text);

@@ -42,6 +42,20 @@ TEST(StepText, HasBlanksForControlCharacters) {
   EXPECT_EQ(mended("#1=PRODUCT('a\x1B[31m\x07',\n$);"), "#1=PRODUCT('a [31m ',\n$);");
 }
 
+TEST(StepText, HasBlanksForTabs) {
+  EXPECT_EQ(mended("#1\t=\tA('a\tb',\n\t#2);"), "#1 = A('a b',\n #2);");
+}
+
+TEST(StepText, HasNoOrientedEdgeOfItself) {
+  EXPECT_EQ(mended("#1=ORIENTED_EDGE('#1',*,*,#1,.F.);\n#02=ORIENTED_EDGE('',*,*,#3,.F.);\n"
+                   "#3=ORIENTED_EDGE('',*,*,#2,.T.);"),
+            "#1=ORIENTED_EDGE('#1',*,*,$ ,.F.);\n#02=ORIENTED_EDGE('',*,*,$ ,.F.);\n"
+            "#3=ORIENTED_EDGE('',*,*,$ ,.T.);");
+  const std::string others =
+      "#1=ORIENTED_EDGE('',*,*,#2,.F.);\n#2=ORIENTED_EDGE('',*,*,#3,.F.);\n#3=EDGE_CURVE(#3);";
+  EXPECT_EQ(mended(others), others);
+}
+
 TEST(StepText, StaysAsItIsOtherwise) {
   const std::string plain = "#1=PRODUCT('Cafe 2e4 \\X\\E9','e',$);\n#2=POINT((1.E-3));";
   EXPECT_EQ(mended(plain), plain);
