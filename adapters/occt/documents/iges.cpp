@@ -21,16 +21,20 @@
 #include <IGESData_HArray1OfIGESEntity.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <IGESData_UndefinedEntity.hxx>
 #include <IGESGeom_Boundary.hxx>
 #include <IGESGeom_BoundedSurface.hxx>
 #include <IGESGeom_CurveOnSurface.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
+#include <IGESSolid_HArray1OfFace.hxx>
 #include <IGESSolid_Loop.hxx>
+#include <IGESSolid_Shell.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <Interface_Static.hxx>
+#include <TColStd_HArray1OfInteger.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_Binder.hxx>
@@ -146,13 +150,26 @@ std::string loading_words(std::string fault) {
   return fault;
 }
 
+/// Whether an entity of a kind that Open CASCADE does not know may have been a shape: of macros and
+/// of kinds that users define (600 to 699, and from 5001 on) it is none.
+bool may_be_shape(const Handle(Standard_Transient) & entity) {
+  const auto unknown = Handle(IGESData_UndefinedEntity)::DownCast(entity);
+  if (unknown.IsNull()) return false;
+  const int type = unknown->TypeNumber();
+  return type < 600 || (type > 699 && type <= 5000);
+}
+
 /// Entities that could not be loaded whole. Whether a shape is touched shows when faces are made.
 void list_loading_faults(const IGESData_IGESModel& model, ReadingReport& report) {
   for (int i = 1; i <= model.NbEntities(); ++i) {
     const Handle(Interface_Check) check = model.Check(i, true);
     if (check.IsNull() || !check->HasFailed()) continue;
     const Handle(Standard_Transient) entity = model.Value(i);
-    report.add({kind_of(entity), loading_words(check->CFail(1)), false, 1, {label(model, entity)}});
+    report.add({kind_of(entity),
+                loading_words(check->CFail(1)),
+                may_be_shape(entity),
+                1,
+                {label(model, entity)}});
   }
 }
 
@@ -167,6 +184,29 @@ void name_subfigures(const IGESData_IGESModel& model) {
       for (int k = 1; k <= count; ++k) members->SetValue(k, figure->AssociatedEntity(k));
     }
     figure->Init(figure->Depth(), new TCollection_HAsciiString(""), members);
+  }
+}
+
+/// Open CASCADE crashes on shells of which a face is of another kind, or could not be loaded.
+void leave_out_lost_faces(const IGESData_IGESModel& model, ReadingReport& report) {
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const auto shell = Handle(IGESSolid_Shell)::DownCast(model.Value(i));
+    if (shell.IsNull()) continue;
+    std::vector<int> there;
+    for (int k = 1; k <= shell->NbFaces(); ++k)
+      if (!shell->Face(k).IsNull()) there.push_back(k);
+    const int lost = shell->NbFaces() - static_cast<int>(there.size());
+    if (lost == 0 || there.empty()) continue;
+    const Handle(IGESSolid_HArray1OfFace) faces =
+        new IGESSolid_HArray1OfFace(1, shell->NbFaces() - lost);
+    const Handle(TColStd_HArray1OfInteger) turns =
+        new TColStd_HArray1OfInteger(1, shell->NbFaces() - lost);
+    for (int k = 1; const int face : there) {
+      faces->SetValue(k, shell->Face(face));
+      turns->SetValue(k++, shell->Orientation(face) ? 1 : 0);
+    }
+    shell->Init(faces, turns);
+    report.add({"face", "its entity cannot be read", true, lost, {"of " + label(model, shell)}});
   }
 }
 
@@ -310,6 +350,7 @@ void read_iges(Reading& reading) {
   list_loading_faults(*model, reading.report);
   list_unknown_unit(model->GlobalSection(), reading.report);
   name_subfigures(*model);
+  leave_out_lost_faces(*model, reading.report);
   mend_names(*model);
 
   reading.begin("transferring the shapes");

@@ -43,5 +43,15 @@ TEST(ReadingIges, TakesAFileWhoseGlobalSectionIsCountedWrong) {
   EXPECT_EQ(read_model(folder / "odd.iges").reading().grade(), ReadingGrade::AttributesLost);
 }
 
+TEST(ReadingIges, LeavesOutAFaceOfNoKnownType) {
+  const Folder folder;
+  std::string text = sample(".iges");
+  const std::size_t face = text.find("\n     510");
+  ASSERT_NE(face, std::string::npos);
+  testing::write_content(folder / "type.iges", text.replace(face + 1, 8, "     999"));
+  EXPECT_EQ(faces_of(folder / "type.iges"), 18);  // one is its plane, to which nobody refers now
+  EXPECT_EQ(read_model(folder / "type.iges").reading().grade(), ReadingGrade::ShapesLost);
+}
+
 }  // namespace
 }  // namespace blossom::occt
