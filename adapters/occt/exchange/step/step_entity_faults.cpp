@@ -18,6 +18,7 @@
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <StepRepr_RepresentationRelationship.hxx>
 #include <StepShape_ContextDependentShapeRepresentation.hxx>
+#include <StepShape_PolyLoop.hxx>
 #include <StepShape_VertexPoint.hxx>
 #include <TColStd_HArray1OfInteger.hxx>
 #include <TColStd_HArray1OfReal.hxx>
@@ -149,6 +150,16 @@ std::string corner_fault(const StepShape_VertexPoint& vertex) {
   return "its point has " + std::to_string(point->NbCoordinates()) + " coordinates instead of 3";
 }
 
+/// Likewise the corners of a loop of lines.
+std::string polygon_fault(const StepShape_PolyLoop& loop) {
+  for (int i = 1; i <= loop.NbPolygon(); ++i) {
+    const Handle(StepGeom_CartesianPoint) point = loop.PolygonValue(i);
+    if (point.IsNull() || point->NbCoordinates() != 3)
+      return "corner " + std::to_string(i) + " has no 3 coordinates";
+  }
+  return {};
+}
+
 std::string place_fault(const StepGeom_CartesianPoint& point) {
   for (int i = 1; i <= point.NbCoordinates(); ++i)
     if (!is_bounded({point.CoordinatesValue(i), 0, 0})) return "a coordinate is not finite";
@@ -166,6 +177,7 @@ std::string planar_fault(const StepRepr_DefinitionalRepresentation& planar) {
 std::string silent_fault(const Standard_Transient& entity) {
   if (const auto* p = dynamic_cast<const StepGeom_CartesianPoint*>(&entity)) return place_fault(*p);
   if (const auto* v = dynamic_cast<const StepShape_VertexPoint*>(&entity)) return corner_fault(*v);
+  if (const auto* l = dynamic_cast<const StepShape_PolyLoop*>(&entity)) return polygon_fault(*l);
   if (const auto* s = dynamic_cast<const StepGeom_BSplineSurfaceWithKnots*>(&entity))
     return surface_miscount(*s);
   if (const auto* c = dynamic_cast<const StepGeom_BSplineCurveWithKnots*>(&entity))
@@ -209,7 +221,8 @@ Fault fault_of(const StepData_StepModel& model, int number) {
   if (loses_unit(entity, fault)) fault.cause += ": lengths or angles may be wrong";
   if (fault.harm == Harm::Field || !is_geometry(entity)) return fault;
   if (const std::string silent = silent_fault(*entity); !silent.empty())
-    return {silent, Harm::Field, false, false, entity->IsKind(STANDARD_TYPE(StepGeom_Point))};
+    return {silent, Harm::Field, false, entity->IsKind(STANDARD_TYPE(StepShape_PolyLoop)),
+            entity->IsKind(STANDARD_TYPE(StepGeom_Point))};
   return fault;
 }
 

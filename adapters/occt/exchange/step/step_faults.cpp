@@ -175,16 +175,28 @@ void leave_out(const Handle(StepShape_FaceSurface) & face) {
   face->SetFaceGeometry(new StepGeom_Surface);
 }
 
+Handle(StepGeom_CartesianPoint) origin() {
+  const Handle(StepGeom_CartesianPoint) point = new StepGeom_CartesianPoint;
+  point->Init3D(new TCollection_HAsciiString(""), 0, 0, 0);
+  return point;
+}
+
+/// A point without coordinates is no location.
+void replace_location(const Handle(StepGeom_CartesianPoint) & point, const Interface_Graph& graph) {
+  if (point.IsNull() || point->NbCoordinates() >= 2) return;
+  for (Interface_EntityIterator user = graph.Sharings(point); user.More(); user.Next())
+    if (const auto place = Handle(StepGeom_Placement)::DownCast(user.Value()); !place.IsNull())
+      place->SetLocation(origin());
+}
+
 /// Open CASCADE uses the location and the directions of a placement, and what a shape is defined
 /// of, without asking whether they are there. What bounds faces is left out with them; the rest is
 /// not moved, or not turned, or of no product.
 void keep_usable(const Entity& entity, const Interface_Graph& graph) {
   if (const auto place = Handle(StepGeom_Placement)::DownCast(entity);
-      !place.IsNull() && place->Location().IsNull()) {
-    const Handle(StepGeom_CartesianPoint) origin = new StepGeom_CartesianPoint;
-    origin->Init3D(new TCollection_HAsciiString(""), 0, 0, 0);
-    place->SetLocation(origin);
-  }
+      !place.IsNull() && place->Location().IsNull())
+    place->SetLocation(origin());
+  replace_location(Handle(StepGeom_CartesianPoint)::DownCast(entity), graph);
   if (const auto shape = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(entity);
       !shape.IsNull() && shape->Definition().PropertyDefinition().IsNull()) {
     StepRepr_RepresentedDefinition nothing;
