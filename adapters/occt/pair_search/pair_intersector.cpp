@@ -129,6 +129,7 @@ void PairIntersector::search(FaceIntersection& result) const {
   const std::vector<SharedEdge> edges = copies_.shared(result.face_a, result.face_b);
   const double within = one_within(options_.tolerances, largest_coordinate(a, b));
   if (is_settled_by_neighbours(a, b, edges, result)) return;
+  if (is_settled_by_closed_forms(i, j, edges, within, result.found)) return;
   std::vector<Touch> touches;
   std::vector<SharedEdge> touching;
   if (const auto gap = gap_of_one_surface(i, j); gap && *gap <= options_.tolerances.point) {
@@ -193,6 +194,24 @@ bool PairIntersector::is_settled_by_neighbours(const FaceData& a, const FaceData
   if (shared_ == Shared::Listed) add_edges(edges, result);
   add_shapes(a, b, result);
   return true;
+}
+
+// What two surfaces have in common by closed forms may be the edges that the faces share.
+bool PairIntersector::is_settled_by_closed_forms(std::size_t i, std::size_t j,
+                                                 const std::vector<SharedEdge>& edges,
+                                                 double within, SurfaceIntersection& found) const {
+  const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
+  if (&a == &b || edges.empty() || shared_ == Shared::Listed) return false;
+  auto known = known_crossings(faces_a_.face(i), a, faces_b_.face(j), b, common_box(a, b), within,
+                               options_.tolerances.point);
+  if (!known || known->curves.empty()) return false;
+  std::vector<Touch> touches = clip_known(i, j, *known);
+  drop_along_edges(*known, touches, edges, options_.tolerances.point);
+  const bool is_all = known->status == Status::Complete && known->curves.empty() &&
+                      known->points.empty() && known->nodes.empty() && known->overlaps.empty() &&
+                      known->places.empty() && touches.empty();
+  if (is_all) found = *std::move(known);
+  return is_all;
 }
 
 // A bound on the distance of two surfaces of one kind where the faces may meet.

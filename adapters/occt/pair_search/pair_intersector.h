@@ -61,6 +61,9 @@ class PairIntersector {
                                          double within) const;
   bool find_known(std::size_t i, std::size_t j, const std::vector<SharedEdge>& edges, double within,
                   SurfaceIntersection& found) const;
+  bool is_settled_by_closed_forms(std::size_t i, std::size_t j,
+                                  const std::vector<SharedEdge>& edges, double within,
+                                  SurfaceIntersection& found) const;
   std::vector<Touch> clip_known(std::size_t i, std::size_t j, SurfaceIntersection& found) const;
   std::vector<Touch> find_between(std::size_t i, std::size_t j,
                                   const std::vector<SharedEdge>& edges,

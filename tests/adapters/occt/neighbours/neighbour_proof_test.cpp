@@ -14,6 +14,7 @@
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
@@ -43,6 +44,7 @@
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
@@ -304,6 +306,23 @@ TEST(NeighbourProof, LeavesNothingWhereARoundingEndsInACornerOfThePlane) {
 
 // Two rods side by side in one body, nearer than the tolerance: neither shares anything with the
 // other, and a gap that is there is no answer to a user who asked for the tolerance.
+// Cones round one axis, whose common rim is a border of both that a search finds a line on.
+TEST(NeighbourProof, LeavesNothingOfConesThatMeetInTheirRims) {
+  BRepBuilderAPI_MakePolygon profile;
+  for (const auto& [radius, height] : {std::pair{3.762697209595, 0.0},
+                                       {9.389540377386, 0.0},
+                                       {6.202837476318, 5.0},
+                                       {3.463328950862, 7.828495702876},
+                                       {2.963282202763, 9.0}})
+    profile.Add(gp_Pnt(radius, 0, height));
+  profile.Close();
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(profile.Wire()).Face();
+  const TopoDS_Shape ring = BRepPrimAPI_MakeRevol(face, gp::OZ(), 0.5 * std::numbers::pi).Shape();
+  const auto found = self_intersect(faces_of(ring), SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
+}
+
 TEST(NeighbourProof, FindsTheLineAlongWhichRodsAreNearerThanTheTolerance) {
   std::vector<TopoDS_Face> faces =
       faces_of(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-1, 0, 0), gp_Dir(0, 0, 1)), 1, 3).Shape());
