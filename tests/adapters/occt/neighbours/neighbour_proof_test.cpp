@@ -304,8 +304,6 @@ TEST(NeighbourProof, LeavesNothingWhereARoundingEndsInACornerOfThePlane) {
   EXPECT_TRUE(found.pairs.empty());
 }
 
-// Two rods side by side in one body, nearer than the tolerance: neither shares anything with the
-// other, and a gap that is there is no answer to a user who asked for the tolerance.
 // Cones round one axis, whose common rim is a border of both that a search finds a line on.
 TEST(NeighbourProof, LeavesNothingOfConesThatMeetInTheirRims) {
   BRepBuilderAPI_MakePolygon profile;
@@ -323,6 +321,8 @@ TEST(NeighbourProof, LeavesNothingOfConesThatMeetInTheirRims) {
   EXPECT_TRUE(found.pairs.empty());
 }
 
+// Two rods side by side in one body, nearer than the tolerance: neither shares anything with the
+// other, and a gap that is there is no answer to a user who asked for the tolerance.
 TEST(NeighbourProof, FindsTheLineAlongWhichRodsAreNearerThanTheTolerance) {
   std::vector<TopoDS_Face> faces =
       faces_of(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-1, 0, 0), gp_Dir(0, 0, 1)), 1, 3).Shape());
