@@ -57,6 +57,11 @@ int FaceSplitter::inner_vertex(int index, int split) {
   return static_cast<int>(vertices_.size()) - 1;
 }
 
+// None of a vertex that has not been made.
+TopoDS_Vertex FaceSplitter::shape_of(const Vertex& of) const {
+  return of.split >= 0 ? splits_.vertex(edge_of(coedge(of.loop, of.coedge)), of.split) : of.shape;
+}
+
 // Of the vertices that stand for a shape, as on both sides of a seam, the nearest; -1 if none does.
 int FaceSplitter::vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point) const {
   int nearest = -1;
@@ -69,13 +74,28 @@ int FaceSplitter::vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point)
   };
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const Vertex& of = vertices_[i];
-    const TopoDS_Vertex own =
-        of.split >= 0 ? splits_.vertex(edge_of(coedge(of.loop, of.coedge)), of.split) : of.shape;
+    const TopoDS_Vertex own = shape_of(of);
     if (!own.IsNull() && splits_.are_one(own, shape)) consider(static_cast<int>(i));
   }
   for (const auto& [other, vertex] : aliases_)
     if (splits_.are_one(other, shape)) consider(vertex);
   return nearest;
+}
+
+// Of a shape that touches itself, other vertices may be at the same place: they are one from now
+// on.
+int FaceSplitter::vertex_at_place(const TopoDS_Vertex& shape, const Vec2& point) {
+  const gp_Pnt place = BRep_Tool::Pnt(shape);
+  const auto is_there = [&](const TopoDS_Vertex& other) {
+    return !other.IsNull() && BRep_Tool::Pnt(other).Distance(place) <= tolerance_;
+  };
+  std::vector<TopoDS_Vertex> known;
+  for (const Vertex& of : vertices_) known.push_back(shape_of(of));
+  for (const auto& [other, vertex] : aliases_) known.push_back(other);
+  const auto found = std::ranges::find_if(known, is_there);
+  if (found == known.end()) return -1;
+  splits_.unite(*found, shape);
+  return vertex_of_shape(shape, point);
 }
 
 bool FaceSplitter::add_inner_arcs() {
@@ -207,6 +227,7 @@ void FaceSplitter::add_coincident_arc(const EdgePiece& piece, double reach,
   const CoincidentCurve of = coincident_curve(piece.edge, feet);
   const auto vertex = [&](const TopoDS_Vertex& shape, const Vec2& point) {
     if (const int known = vertex_of_shape(shape, point); known >= 0) return known;
+    if (const int known = vertex_at_place(shape, point); known >= 0) return known;
     vertices_.push_back({point, -1, -1, -1, shape});
     return static_cast<int>(vertices_.size()) - 1;
   };

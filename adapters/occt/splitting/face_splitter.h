@@ -102,7 +102,8 @@ class FaceSplitter {
   /// Says that an edge of another shape lies in the face, in whole or in parts. All its splits at
   /// the borders of the face have to be asked for, and their vertices united with the borders',
   /// before `split`. Its pieces inside of the face divide it as cuts do; those along borders or
-  /// outside, and those that divide nothing, are left out.
+  /// outside, and those that divide nothing, are left out. Vertices of such edges that are at one
+  /// place, as where a body touches itself, are united.
   /// reach   what of the edge is so near the surface lies in it; model units
   /// along   where it runs along edges of the face, between splits
   void add_coincident(const TopoDS_Edge& edge, double reach, const std::vector<Interval>& along);
@@ -204,7 +205,9 @@ class FaceSplitter {
   int inner_loop() const { return static_cast<int>(trims_.loops.size()); }
   void add_inner_stops(LiftedCut& lifted_cut);
   int inner_vertex(int index, int split);
+  TopoDS_Vertex shape_of(const Vertex& of) const;
   int vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point) const;
+  int vertex_at_place(const TopoDS_Vertex& shape, const Vec2& point);
   bool add_inner_arcs();
   bool add_coincident_arcs();
   void add_coincident_arc(const EdgePiece& piece, double reach, const SurfaceProjector& feet);

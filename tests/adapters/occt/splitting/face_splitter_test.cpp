@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -439,6 +440,21 @@ TEST(FaceSplitter, LaysEdgesInAFaceLongerThanAPeriod) {
     EXPECT_EQ(split.pieces.size(), 2u);
     EXPECT_EQ(split.coincident.size(), 4u);
   }
+}
+
+// As of a body that touches itself: each edge has ends of its own.
+TEST(FaceSplitter, TakesVerticesAtOnePlaceForOne) {
+  EdgeSplits splits(1e-7);
+  FaceSplitter splitter(square(), {}, splits, 1e-7);
+  splitter.settle();
+  const std::array<gp_Pnt, 3> corners{gp_Pnt(1, 1, 0), gp_Pnt(3, 1, 0), gp_Pnt(2, 3, 0)};
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    splitter.add_coincident(
+        BRepBuilderAPI_MakeEdge(corners[i], corners[(i + 1) % corners.size()]).Edge(), 1e-6, {});
+  const FaceSplit split = splitter.split();
+  EXPECT_EQ(split.pieces.size(), 2u);
+  EXPECT_EQ(split.coincident.size(), 3u);
+  EXPECT_NEAR(smallest_area(split), 2, 1e-12);
 }
 
 }  // namespace
