@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <BRep_Builder.hxx>
+#include <GeomAbs_CurveType.hxx>
 #include <GeomAbs_Shape.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -150,6 +151,7 @@ namespace {
 // A closed wire in coordinates of the plane, each point once, and its box; empty of an open one.
 struct Polygon {
   std::vector<Vec2> points;
+  std::vector<Vec2> corners;  // without those inside of straight curves
   Vec2 low{}, high{};
 };
 
@@ -158,10 +160,14 @@ Polygon polygon_of(const PlaneSection& section, const SectionWire& wire, const V
   Polygon polygon;
   if (!wire.closed) return polygon;
   for (const CurveUse& use : wire.uses) {
-    std::vector<Vec3> samples = section.curves[use.curve].samples;
+    const SectionCurve& curve = section.curves[use.curve];
+    const bool straight = GeomAdaptor_Curve(curve.curve).GetType() == GeomAbs_Line;
+    std::vector<Vec3> samples = curve.samples;
     if (!use.forward) std::ranges::reverse(samples);
-    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
       polygon.points.push_back({dot(samples[i], x), dot(samples[i], y)});
+      if (i == 0 || !straight) polygon.corners.push_back(polygon.points.back());
+    }
   }
   if (polygon.points.empty()) return polygon;
   for (const int k : {0, 1}) {
@@ -194,7 +200,7 @@ bool lies_in(const Polygon& one, const Polygon& other) {
   for (const int k : {0, 1})
     if (one.high[k] < other.low[k] || other.high[k] < one.low[k]) return false;
   const auto inside = std::ranges::count_if(
-      one.points, [&](const Vec2& p) { return box_holds(other, p) && holds(other.points, p); });
+      one.points, [&](const Vec2& p) { return box_holds(other, p) && holds(other.corners, p); });
   return 2 * static_cast<std::size_t>(inside) > one.points.size();
 }
 
