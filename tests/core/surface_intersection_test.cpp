@@ -466,19 +466,6 @@ TEST(SurfaceIntersection, KeepsWhatItHasWhenTheBudgetIsSpent) {
   }
 }
 
-// A small loop beside a touch is found by the cells of contacts.
-TEST(SurfaceIntersection, KeepsToItsBudgetOfContactCells) {
-  const CubicPair pair = cubic_pair(loop(kA, kB, 1e-3));
-  EXPECT_EQ(intersect(pair.a, pair.b).status, Status::Complete);
-
-  const SurfaceIntersection found = intersect(pair.a, pair.b, {.contact_budget = 1});
-
-  EXPECT_EQ(found.status, Status::Stopped);
-  EXPECT_TRUE(in_some_place(found, on_base(kA + 1e-3, kB), 1e-9));
-  const auto& reasons = found.certificate.reasons;
-  EXPECT_EQ(std::ranges::count(reasons, "the budget of contact cells is spent"), 1);
-}
-
 TEST(SurfaceIntersection, StopsWhenItIsCancelled) {
   const CubicPair pair = cubic_pair(constant(0));
   int asked = 0;

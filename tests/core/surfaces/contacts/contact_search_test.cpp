@@ -173,5 +173,20 @@ TEST(ContactSearch, LeavesNothingOpenAroundAPoleWithoutTangentPlane) {
   }
 }
 
+// A small loop beside a touch is found by the cells of contacts.
+TEST(ContactSearch, KeepsToItsBudgetOfCells) {
+  constexpr double kAt = 0.43, kRadius = 1e-3;
+  const testing::CubicPair pair = testing::cubic_pair(testing::loop(kAt, kAt, kRadius));
+  EXPECT_EQ(intersect(pair.a, pair.b).status, Status::Complete);
+
+  const SurfaceIntersection found = intersect(pair.a, pair.b, {.contact_budget = 1});
+
+  EXPECT_EQ(found.status, Status::Stopped);
+  const double x = kAt + kRadius;
+  EXPECT_TRUE(testing::in_some_place(found, {x, kAt, testing::base_cubic()(x, kAt)}, 1e-9));
+  const auto& reasons = found.certificate.reasons;
+  EXPECT_EQ(std::ranges::count(reasons, "the budget of contact cells is spent"), 1);
+}
+
 }  // namespace
 }  // namespace blossom
