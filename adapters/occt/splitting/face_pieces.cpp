@@ -171,33 +171,45 @@ void FaceSplitter::add_border_arcs() {
     }
 }
 
-// False if the piece lies outside or along a wire.
+// The border or the cut between the same vertices that a piece of a cut keeps to; -1 for none.
+int FaceSplitter::arc_beside(const LiftedCut& lifted_cut, const std::pair<double, int>& from,
+                             const std::pair<double, int>& to, bool border) const {
+  const Interval range{from.first, to.first};
+  const auto is_beside = [&](const ChartArc& arc) {
+    if (arc.border != border || !((arc.from == from.second && arc.to == to.second) ||
+                                  (arc.from == to.second && arc.to == from.second)))
+      return false;
+    return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double part) {
+      return lies_near(arc.path, point_at(lifted_cut.curve, at(range, part)),
+                       4 * reach(lifted_cut));
+    });
+  };
+  const auto found = std::ranges::find_if(arcs_, is_beside);
+  return found == arcs_.end() ? -1 : static_cast<int>(found - arcs_.begin());
+}
+
+// False if the piece lies outside or along a wire. What keeps to an edge from outside runs along
+// it, though by a curve without errors it would stay inside: a contact of high order.
 bool FaceSplitter::add_cut_arc(const LiftedCut& lifted_cut, const std::pair<double, int>& from,
                                const std::pair<double, int>& to) {
   const Interval range{from.first, to.first};
   const double middle = at(range, 0.5);
-  const Vec2 point = point_at(lifted_cut.curve, middle);
   const bool along =
       std::any_of(lifted_cut.runs.begin(), lifted_cut.runs.end(),
                   [&](const TrimRun& run) { return run.at.from <= middle && middle <= run.at.to; });
-  if (along || !is_inside(trims_, point)) return false;
+  if (along) return false;
+  const bool outside = !is_inside(trims_, point_at(lifted_cut.curve, middle));
+  const int beside = arc_beside(lifted_cut, from, to, outside);
+  if (outside) {
+    if (beside >= 0) add_repeat(beside, lifted_cut, from, to);
+    return false;
+  }
   PlanarPath path = bezier_pieces(lifted_cut.curve, range);
   if (path.empty()) return false;
-  const auto same_ends = [&](const ChartArc& arc) {
-    return (arc.from == from.second && arc.to == to.second) ||
-           (arc.from == to.second && arc.to == from.second);
-  };
-  for (std::size_t i = 0; i < arcs_.size(); ++i) {
-    const ChartArc& arc = arcs_[i];
-    if (arc.border || !same_ends(arc)) continue;
-    const bool repeats = std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double part) {
-      return lies_near(arc.path, point_at(lifted_cut.curve, at(range, part)),
-                       4 * reach(lifted_cut));
-    });
-    if (!repeats) continue;
+  if (beside >= 0) {
     if (!cuts_[static_cast<std::size_t>(lifted_cut.cut)].may_repeat)
       note(lifted_cut.cut, "repeats another cut");
-    add_repeat(static_cast<int>(i), lifted_cut, from, to);
+    add_repeat(beside, lifted_cut, from, to);
     return true;
   }
   arcs_.push_back({from.second, to.second, std::move(path), false});
@@ -213,11 +225,13 @@ void FaceSplitter::add_repeat(int arc, const LiftedCut& lifted_cut,
                               const std::pair<double, int>& from,
                               const std::pair<double, int>& to) {
   Origin& origin = origins_[static_cast<std::size_t>(arc)];
-  if ((origin.lifted_cut < 0 && origin.piece.IsNull()) || from.second == to.second) return;
+  const bool border = arcs_[static_cast<std::size_t>(arc)].border;
+  const bool has_edge = border || origin.lifted_cut >= 0 || !origin.piece.IsNull();
+  if (!has_edge || from.second == to.second) return;
   const Interval range{from.first, to.first};
   Interval along{at(range, 0.25), at(range, 0.75)};
   if (arcs_[static_cast<std::size_t>(arc)].from != from.second) std::swap(along.from, along.to);
-  origin.repeats.push_back({lifted_cut.cut, along, {}, true});
+  (border ? origin.uses : origin.repeats).push_back({lifted_cut.cut, along, {}, true});
 }
 
 bool FaceSplitter::add_cut_arcs() {

@@ -222,6 +222,8 @@ class FaceSplitter {
   void add_border_arc(int loop, int index, const EdgePiece& piece);
   std::vector<CutUse> runs_along(int loop, int index, const EdgePiece& piece) const;
   bool add_cut_arcs();
+  int arc_beside(const LiftedCut& lifted_cut, const std::pair<double, int>& from,
+                 const std::pair<double, int>& to, bool border) const;
   bool add_cut_arc(const LiftedCut& lifted_cut, const std::pair<double, int>& from,
                    const std::pair<double, int>& to);
   TopoDS_Edge cut_edge(const LiftedCut& lifted_cut, const Interval& at, int from, int to);

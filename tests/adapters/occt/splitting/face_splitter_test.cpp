@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <vector>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepLib.hxx>
@@ -440,6 +443,30 @@ TEST(FaceSplitter, LaysEdgesInAFaceLongerThanAPeriod) {
     EXPECT_EQ(split.pieces.size(), 2u);
     EXPECT_EQ(split.coincident.size(), 4u);
   }
+}
+
+// A flat parabola that leaves the face by 4e-9, from a corner of it to a place farther on than a
+// touch is long.
+TEST(FaceSplitter, CutThatKeepsToAnEdgeFromOutsideRunsAlongIt) {
+  constexpr double kBend = 8e-5, kLength = 0.014;
+  BRepBuilderAPI_MakePolygon wire;
+  for (const gp_Pnt& corner :
+       {gp_Pnt(0, 0, 0), gp_Pnt(4, 0, 0), gp_Pnt(4, 4, 0), gp_Pnt(2, 4, 0), gp_Pnt(0, 4, 0)})
+    wire.Add(corner);
+  wire.Close();
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), wire.Wire());
+  // By the polar form of 4 + kBend * t * (kLength - t) with t = u - 2.
+  const auto pole = [&](double s, double t) {
+    return Vec2{2 + (s + t) / 2, 4 + kBend * (kLength * (s + t) / 2 - s * t)};
+  };
+  const Spline2 chart{2, {0, 4}, {3, 3}, {pole(-2, -2), pole(-2, 2), pole(2, 2)}};
+  const FaceSplit split = split_face(face, {cut_along(face, chart)});
+  EXPECT_EQ(split.pieces.size(), 3u);
+  std::vector<CutUse> along;
+  for (const FacePiece& piece : split.pieces)
+    std::ranges::copy_if(piece.cuts, std::back_inserter(along), &CutUse::along);
+  ASSERT_EQ(along.size(), 1u);
+  EXPECT_NEAR(0.5 * (along.front().at.from + along.front().at.to), 2 + 0.5 * kLength, 1e-6);
 }
 
 // As of a body that touches itself: each edge has ends of its own.
