@@ -22,6 +22,9 @@ constexpr double kSameDirection = 1e-7;
 // Of the longest piece of a path: so near its end nothing tells where it goes.
 constexpr double kNoise = 1e-5;
 
+// Arms that differ by more do not touch. Radians; a choice, which saves work alone.
+constexpr double kSmallTurn = 0.1;
+
 // Of Newton's method, to where a nearly straight start of an arc is so far on.
 constexpr int kSteps = 4;
 
@@ -119,18 +122,6 @@ double offset_at(const Arm& arm, const Vec2& along, double distance) {
   return cross(along, jet_at(piece, t).point - arm.start);
 }
 
-// How far from the vertex the order of two neighbouring arms is to be read, if they touch there and
-// the left one is on the right beyond; else 0. As directions and curvatures tell they cross at half
-// of that, no farther apart than the tolerance before, and the arcs themselves have crossed there.
-double touch_length(const Arm& right, const Arm& left, double tolerance) {
-  const double turn = left.angle - right.angle, bend = right.curvature - left.curvature;
-  if (turn <= 0 || turn * turn > 2 * bend * tolerance) return 0;
-  const double length = 4 * turn / bend;
-  const Vec2 along = direction_of(right);
-  if (!piece_at(right, along, length) || !piece_at(left, along, length)) return 0;
-  return offset_at(left, along, length) < offset_at(right, along, length) ? length : 0;
-}
-
 // How far an arm goes along a direction before it turns back.
 double reach_along(const Arm& arm, const Vec2& along) {
   double reached = 0;
@@ -142,6 +133,22 @@ double reach_along(const Arm& arm, const Vec2& along) {
     reached = next;
   }
   return reached;
+}
+
+// How far from the vertex the order of two neighbouring arms is to be read, if they touch there and
+// the left one is on the right beyond; else 0. As arcs do not cross, it is told by where they are
+// farther apart than the tolerance for the first time, or by half the way along the shorter one.
+double touch_length(const Arm& right, const Arm& left, double tolerance) {
+  const double turn = left.angle - right.angle;
+  if (turn <= 0 || turn > kSmallTurn) return 0;
+  const Vec2 along = direction_of(right);
+  const double half = 0.5 * std::min(reach_along(right, along), reach_along(left, along));
+  const auto apart = [&](double length) {
+    return offset_at(left, along, length) - offset_at(right, along, length);
+  };
+  for (double length = 2 * tolerance / turn; length > 0 && length < half; length *= 2)
+    if (const double here = apart(length); std::abs(here) > tolerance) return here < 0 ? length : 0;
+  return half > 0 && apart(half) < 0 ? half : 0;
 }
 
 // Orders arms of one direction that begin beside each other, as far apart as their vertex covers,

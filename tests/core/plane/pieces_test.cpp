@@ -216,6 +216,32 @@ TEST(Pieces, CutThatTouchesTheRimMayCrossItWithinTolerance) {
   EXPECT_EQ(pieces(square.arcs, kTilt * kTilt / 4).pieces.size(), 1);
 }
 
+// A contact of the fourth order that leaves the square by 1e-9 over a length of 0.028, at the right
+// end of which its vertex is: neither direction nor curvature there tells on which side it goes on.
+TEST(Pieces, CutThatTouchesTheRimToTheFourthOrderDividesThere) {
+  constexpr double kTolerance = 1e-7, kFactor = 0.1, kHalf = 0.01;
+  const double x = 2 + std::numbers::sqrt2 * kHalf, rise = kFactor * (16 - 8 * kHalf * kHalf);
+  // The polar form of kFactor * (t^4 - 2 kHalf^2 t^2) with t = x - 2.
+  const auto pole = [&](double from, double to, int index) {
+    const double p = from - 2, q = to - 2, m = index;
+    const double pairs =
+        (4 - m) * (3 - m) / 2 * p * p + (4 - m) * m * p * q + m * (m - 1) / 2 * q * q;
+    const double y = std::pow(p, 4 - m) * std::pow(q, m) - kHalf * kHalf * pairs / 3;
+    return Vec3{from + m / 4 * (to - from), kFactor * y, 1};
+  };
+  const auto quartic = [&](double from, double to) {
+    PlanarBezier curve;
+    for (int i = 0; i <= 4; ++i) curve.points.push_back(pole(from, to, i));
+    return PlanarPath{curve};
+  };
+  Square square({{x}, {rise}, {}, {4 - rise}});
+  square.cut(6, 4, quartic(0, x));
+  square.cut(4, 5, quartic(x, 4));
+  const ChartPieces found = pieces(square.arcs, kTolerance);
+  EXPECT_EQ(found.pieces.size(), 3u);
+  EXPECT_TRUE(found.dangling.empty());
+}
+
 // By direction and curvature it would cross the rim 0.004 farther on; by its third derivative it
 // does not.
 TEST(Pieces, CutThatOnlySeemsToCrossTheRimBesideAVertexStaysInside) {
