@@ -22,7 +22,10 @@ namespace blossom::occt {
 ///
 /// shape    as of `fillet`
 /// returns  by edge, as `FilletOptions::own`
-/// throws   InvalidInput, saying why, if they are no such edges
+/// throws   InvalidInput if they are no such edges, saying why, and which pairs would do
 std::map<int, EdgeRadius> full_round_radii(const TopoDS_Shape& shape, int edge_a, int edge_b);
+
+/// A radius as it is told: to six digits, cut off, with which the fillets can be made, too.
+double told_radius(double radius);
 
 }  // namespace blossom::occt

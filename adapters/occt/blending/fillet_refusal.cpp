@@ -32,15 +32,18 @@ const char* to_string(FilletFault fault) {
   return "result";
 }
 
-std::optional<double> FilletRefusal::told_largest() const {
-  if (!largest) return std::nullopt;
-  const int exponent = 5 - static_cast<int>(std::floor(std::log10(*largest)));
+double told_below(double size) {
+  const int exponent = 5 - static_cast<int>(std::floor(std::log10(size)));
   const auto cut_off = [&](double number) {  // by a power of ten that has no rounding, if it may
     return exponent < 0 ? number * std::pow(10, -exponent) : number / std::pow(10, exponent);
   };
-  const double number = std::floor(exponent < 0 ? *largest / std::pow(10, -exponent)
-                                                : *largest * std::pow(10, exponent));
-  return cut_off(number) > *largest ? cut_off(number - 1) : cut_off(number);
+  const double number =
+      std::floor(exponent < 0 ? size / std::pow(10, -exponent) : size * std::pow(10, exponent));
+  return cut_off(number) > size ? cut_off(number - 1) : cut_off(number);
+}
+
+std::optional<double> FilletRefusal::told_largest() const {
+  return largest ? std::optional(told_below(*largest)) : std::nullopt;
 }
 
 std::string told_place(const Vec3& place) {

@@ -22,6 +22,9 @@ class FilletRefused : public std::runtime_error {
   FilletRefusal why_;
 };
 
+/// A positive size to six digits, cut off: what works below it works with what is told.
+double told_below(double size);
+
 /// "(1, 2, 0)": six digits, and 0 for what is left of rounding.
 std::string told_place(const Vec3& place);
 

@@ -12,6 +12,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/edge_facts.h"
+#include "adapters/occt/full_round.h"
 #include "core/base/errors.h"
 #include "plugin/reports/blends/blend_words.h"
 #include "plugin/reports/models/edges.h"
@@ -174,6 +175,12 @@ std::vector<int> edges_asked(const EdgeWish& wish, const Input& part, std::strin
                          (wish.kind.empty() || wish.kind == "all" ? "" : wish.kind + " ") +
                          "edges that can be rounded");
   return {edges.begin(), edges.end()};
+}
+
+std::map<int, occt::EdgeRadius> full_round_of(const Input& part, const std::vector<int>& edges) {
+  if (edges.size() != 2)
+    throw InvalidInput("a full round takes two edges, not " + std::to_string(edges.size()));
+  return occt::full_round_radii(part.model.shape(), edges[0], edges[1]);
 }
 
 bool is_unchanged(const occt::FilletResult& made) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -29,6 +30,10 @@ struct EdgeWish {
 /// throws   InvalidInput if two faces have no edge in common, or an edge is of another part;
 ///          BadModel if there is no edge
 std::vector<int> edges_asked(const EdgeWish& wish, const Input& part, std::string& note);
+
+/// The radii of two edges with which their fillets leave nothing of the face between them.
+/// throws   InvalidInput if there are not two, or as `occt::full_round_radii`
+std::map<int, occt::EdgeRadius> full_round_of(const Input& part, const std::vector<int>& edges);
 
 struct FilletAnswer {
   occt::FilletOptions of{};  ///< what was asked for across the edges

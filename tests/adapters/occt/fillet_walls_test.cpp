@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -22,7 +24,9 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
@@ -243,6 +247,49 @@ TEST(FullRound, RefusesOtherEdges) {
   EXPECT_THROW(full_round_radii(box, 1, 13), InvalidInput);
   const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(1, 3).Shape();
   EXPECT_THROW(full_round_radii(pin, 1, 3), InvalidInput);
+}
+
+// 10 comes out as 10.000000000000002 at some edges, and as 10 where it is told.
+TEST(FullRound, TakesTheNumberWithTheFewestDigitsThatIsTheSame) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(60., 40., 20.).Shape();
+  for (const auto& [edge, of] : full_round_radii(box, 9, 10)) EXPECT_EQ(of.radius, 10);
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 2, 3)), 0.7);
+  const TopoDS_Shape turned = BRepBuilderAPI_Transform(box, turn).Shape();
+  for (const auto& [edge, of] : full_round_radii(turned, 9, 10)) EXPECT_EQ(of.radius, 10);
+}
+
+TEST(FullRound, CanBeMadeByTheRadiusThatIsTold) {
+  const TopoDS_Shape wall =
+      prism_of({{0, -4, 0}, {0, 5, 0}, {0, 2, 10}, {0, -2, 10}}, gp_Vec(40, 0, 0));
+  std::vector<int> edges;
+  for (const EdgeFacts& each : edge_facts(wall))
+    if (each.middle[2] == 10 && each.middle[0] == 20) edges.push_back(each.number);
+  auto own = full_round_radii(wall, edges[0], edges[1]);
+  for (auto& [edge, of] : own) {
+    const double told = told_radius(of.radius);
+    EXPECT_LE(told, of.radius);
+    EXPECT_GT(told, (1 - 1e-5) * of.radius);
+    of.radius = told;
+  }
+  expect_sound(fillet(wall, edges, {.own = own}), 1e-6);
+}
+
+std::string round_refusal(const TopoDS_Shape& shape, int a, int b) {
+  try {
+    full_round_radii(shape, a, b);
+  } catch (const InvalidInput& refused) {
+    return refused.what();
+  }
+  return {};
+}
+
+TEST(FullRound, NamesEdgesThatWouldDo) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(60., 40., 20.).Shape();
+  const std::string told = round_refusal(box, 1, 7);
+  EXPECT_NE(told.find("no face in common; edges 1 and 3"), std::string::npos) << told;
+  const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(1, 3).Shape();
+  EXPECT_EQ(round_refusal(pin, 1, 3).find("would do"), std::string::npos);
 }
 
 }  // namespace

@@ -120,9 +120,13 @@ std::string size_text(const FilletCommand& command) {
   text += command.size;
   bool first = command.size.empty();
   for (const auto& [edge, of] : command.chosen.own) {
-    const auto radius_at = [&](double share) { return number_text(of.law->at(share).value); };
+    // Those of a full round were computed, the others are told as they were given.
+    const auto told = [&](double radius) {
+      return number_text(command.full_round ? occt::told_radius(radius) : radius);
+    };
+    const auto radius_at = [&](double share) { return told(of.law->at(share).value); };
     text += std::string(first ? "of" : ", of") + " edge " + std::to_string(edge) + " by " +
-            (of.law ? radius_at(0) + ".." + radius_at(1) : number_text(of.radius));
+            (of.law ? radius_at(0) + ".." + radius_at(1) : told(of.radius));
     first = false;
   }
   return text;
@@ -208,10 +212,8 @@ void choose_edges_of_parts(FilletCommand& command, const Input& part) {
 void choose_full_round(FilletCommand& command, const Input& part) {
   if (!command.full_round) return;
   std::string note;
-  const std::vector<int> edges = reports::edges_asked(wish_of(command), part, note);
-  if (edges.size() != 2)
-    throw UsageError("--full-round takes two edges, not " + std::to_string(edges.size()));
-  command.fillet.own = occt::full_round_radii(part.model.shape(), edges[0], edges[1]);
+  command.fillet.own =
+      reports::full_round_of(part, reports::edges_asked(wish_of(command), part, note));
   command.chosen.own = command.fillet.own;
 }
 
