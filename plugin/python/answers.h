@@ -78,9 +78,10 @@ Answer watertight(const SharedModel& model, const Control& control);
 Answer strip_between(const SharedModel& a, const SharedModel& b, const reports::StripWishes& wishes,
                      const Control& control);
 
-/// of   fillets or chamfers
+/// of           fillets or chamfers
+/// full_round   fillets by the radii of two edges that leave nothing of the face between these
 Answer blend_edges(const SharedModel& part, const reports::EdgeWish& edges,
-                   const occt::FilletOptions& of, const Control& control);
+                   const occt::FilletOptions& of, bool full_round, const Control& control);
 
 /// b      null: pairs of parts of `a`
 /// far    list pairs of which only the boxes were looked at, too

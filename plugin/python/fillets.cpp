@@ -11,7 +11,7 @@
 namespace blossom::python {
 
 Answer blend_edges(const SharedModel& part, const reports::EdgeWish& wish,
-                   const occt::FilletOptions& of, const Control& control) {
+                   const occt::FilletOptions& of, bool full_round, const Control& control) {
   const std::string kind = of.chamfer ? "chamfer" : "fillet";
   return interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = part->turn(watch);
@@ -22,6 +22,7 @@ Answer blend_edges(const SharedModel& part, const reports::EdgeWish& wish,
     const double start = watch.seconds();
     std::string note;
     reports::FilletAnswer answer{.of = of, .asked = reports::edges_asked(wish, input, note)};
+    if (full_round) answer.of.own = reports::full_round_of(input, answer.asked);
     answer.of.intersection = watch.engine();
     answer.made = occt::fillet(input.model.shape(), answer.asked, answer.of);
     if (!note.empty()) answer.made.notes.push_back(note);

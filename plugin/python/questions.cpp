@@ -189,7 +189,8 @@ void add_edge_blends(py::module_& module) {
       "fillet",
       [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,
          const FacePair& between, double radius, const std::string& law, const OwnRadii& own,
-         const std::string& section, MaybeNumber setback, bool partial, const Control& control) {
+         const std::string& section, MaybeNumber setback, bool full_round, bool partial,
+         const Control& control) {
         const occt::EdgeRadius common = radius_of(radius, law);
         occt::FilletOptions of{.radius = common.radius,
                                .law = common.law,
@@ -197,10 +198,11 @@ void add_edge_blends(py::module_& module) {
                                .setback = setback,
                                .partial = partial};
         for (const auto& [edge, number, along] : own) of.own[edge] = radius_of(number, along);
-        return blend_edges(part, {{edges.begin(), edges.end()}, kind, between}, of, control);
+        return blend_edges(part, {{edges.begin(), edges.end()}, kind, between}, of, full_round,
+                           control);
       },
       arg("part"), arg("edges"), arg("kind"), arg("between"), arg("radius"), arg("law"), arg("own"),
-      arg("section"), arg("setback"), arg("partial"), arg("control"));
+      arg("section"), arg("setback"), arg("full_round"), arg("partial"), arg("control"));
   module.def(
       "chamfer",
       [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,
@@ -208,7 +210,7 @@ void add_edge_blends(py::module_& module) {
          bool partial, const Control& control) {
         const occt::FilletOptions of{.chamfer = occt::ChamferSize{distance, second, angle},
                                      .partial = partial};
-        return blend_edges(part, {{edges.begin(), edges.end()}, kind, between}, of, control);
+        return blend_edges(part, {{edges.begin(), edges.end()}, kind, between}, of, false, control);
       },
       arg("part"), arg("edges"), arg("kind"), arg("between"), arg("distance"), arg("second"),
       arg("angle"), arg("partial"), arg("control"));

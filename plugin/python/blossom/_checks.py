@@ -402,9 +402,15 @@ def edge_wish(question: str, chosen: Any, between: Any) -> EdgeWish:
 OwnRadii = List[Tuple[int, float, str]]
 
 
-def fillet_size(radius: Any, law: Any, wish: EdgeWish) -> Tuple[float, str, OwnRadii]:
+def fillet_size(
+    radius: Any, law: Any, full_round: bool, wish: EdgeWish
+) -> Tuple[float, str, OwnRadii]:
     """The radius, or a law as JSON, and what edges have in place of these: their numbers with one
-    or the other."""
+    or the other. A full round has its own."""
+    if full_round:
+        if radius is not None or law is not None:
+            raise TypeError("fillet: full_round goes without radius and law")
+        return 1.0, "", []
     if (radius is None) == (law is None):
         raise TypeError("fillet: a radius or a law is wanted, and just one of them")
     if law is not None:

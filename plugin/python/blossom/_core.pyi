@@ -208,6 +208,7 @@ def fillet(
     own: List[Tuple[int, float, str]],
     section: str,
     setback: Optional[float],
+    full_round: bool,
     partial: bool,
     control: Control,
 ) -> Answer: ...

@@ -83,6 +83,7 @@ class Operations(_results.MadeShape):
         law: Optional[Mapping[str, Any]] = None,
         section: str = "circle",
         setback: Optional[float] = None,
+        full_round: bool = False,
         between: Any = None,
         partial: bool = False,
         **options: Any,
@@ -98,18 +99,22 @@ class Operations(_results.MadeShape):
                   the end tangents meet, between 0 (flat) and 1 (sharp); "g2", which has the
                   curvatures of both faces; or "g3", also with the rates at which these change
         setback   how far from a vertex of three and more edges their strips end
+        full_round  in place of a radius: those with which two straight edges of one plane face leave
+                  nothing of it, also where they are not parallel
         between   two face numbers: the edges that they have in common
         partial   round the edges that can be, instead of all or none; see `refused`
         """
         if isinstance(radius, Mapping) and between is None and not isinstance(edges, str):
             edges = list(edges) or [edge for edge in radius if edge is not None]
         chosen = _checks.edge_wish("fillet", edges, between)
-        size = _checks.fillet_size(radius, law, chosen)
+        fully = _checks.flag(full_round, "full_round")
+        size = _checks.fillet_size(radius, law, fully, chosen)
         across = _checks.section(section, "section")
         back = None if setback is None else _checks.positive(setback, "setback")
         whole = _checks.flag(partial, "partial")
+        control = _checks.control(options)
         return Fillet(
-            _core.fillet(self._core_model(), *chosen, *size, across, back, whole, _checks.control(options))
+            _core.fillet(self._core_model(), *chosen, *size, across, back, fully, whole, control)
         )
 
     def chamfer(

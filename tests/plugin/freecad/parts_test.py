@@ -225,6 +225,18 @@ def mesh_is_of_freecads_kind(document):
     claim("nothing is an error", says(mesh, "Part: a face is wanted, and there is none"))
 
 
+def a_full_round_leaves_nothing_of_a_face(document):
+    block = box(document)
+    rounded = make.fillet(document, [(block, ("Edge1", "Edge3"))], FullRound=True)
+    document.recompute()
+    claim("two edges are rounded to the middle",
+          valid(rounded) and near(rounded.Volume, 1000 - 10 * (2 - math.pi / 2) * 25, 1e-4))
+    claim("nothing is left between them", len(rounded.Shape.Faces) == 7)
+    rounded.Edges = [(block, ("Edge1", "Edge7"))]
+    document.recompute()
+    claim("edges that would do are named", says(rounded, "have no face in common; edges 1 and 3"))
+
+
 def message_of(call):
     try:
         call()
@@ -239,8 +251,8 @@ def wrong_lines_are_told_and_leave_nothing(document):
     for said, call in {
         "ValueError: Operation: one of cut, common, fuse, split is wanted, got 'minus'":
             lambda: make.solid(document, "minus", block, block),
-        "TypeError: there is no choice Radus; there are Radius, LastRadius, Radii, Setback, Section, Rho, Partial, "
-        "Tolerance":
+        "TypeError: there is no choice Radus; there are Radius, LastRadius, Radii, FullRound, Setback, Section, Rho, "
+        "Partial, Tolerance":
             lambda: make.fillet(document, block, Radus=3),
         "TypeError: A: objects of a document, or pairs of one and its elements, "
         'as (box, "Face1"), are wanted, got int': lambda: make.intersection(document, 3, block),
@@ -291,6 +303,7 @@ def mesh_objects_answer_to_questions(document):
 run(
     chamfer_cuts_edges_off,
     fillets_may_change_and_be_conics,
+    a_full_round_leaves_nothing_of_a_face,
     clash_tells_how_solids_lie,
     loose_faces_are_sewn,
     edges_are_found_across_gaps,

@@ -33,6 +33,21 @@ class Fillets(unittest.TestCase):
         self.assertEqual(everywhere.edges, BLOCK.fillet("all", radius=2).edges)
         self.assertEqual(len(one), 1)
 
+    def test_a_full_round_leaves_nothing_of_the_face_between_two_edges(self):
+        made = BLOCK.fillet([9, 10], full_round=True)  # of a face as wide as the block is high
+
+        self.assertEqual((made.status, made.edges, made.refused), ("complete", [9, 10], []))
+        self.assertEqual(blossom.shape(made).face_count, 7)  # one is gone, two strips are there
+        self.assertAlmostEqual(VOLUME - made.volume, 60 * (2 - math.pi / 2) * 10**2, 6)
+
+    def test_a_full_round_that_cannot_be_names_edges_that_can(self):
+        with self.assertRaisesRegex(ValueError, "no face in common; edges .* would do"):
+            BLOCK.fillet([1, 7], full_round=True)
+        with self.assertRaisesRegex(ValueError, "a full round takes two edges, not 1"):
+            BLOCK.fillet([1], full_round=True)
+        with self.assertRaisesRegex(TypeError, "full_round goes without radius and law"):
+            BLOCK.fillet([1, 2], radius=1, full_round=True)
+
     def test_the_report_is_that_of_the_command_line(self):
         options = ("--edge", 1, "--radius", 2)
         told = support.told_by_program("blend", "fillet", FILES / "block.step", *options)

@@ -88,9 +88,12 @@ class ProgramDoor:
             command += [] if value is None else [name, str(value)]
         return self._ask(command + ["--weight-a", repr(weight_a), "--weight-b", repr(weight_b)], {})
 
-    def fillet(self, part, edges, radius, section, partial, **options):
+    def fillet(self, part, edges, section, partial, radius=None, full_round=False, **options):
+        size = ["--section", section]
+        if full_round:
+            return self._blend("fillet", part, edges, [*size, "--full-round"], partial, options)
         own = dict(radius) if isinstance(radius, dict) else {None: radius}
-        size = ["--radius", _size(own.pop(None)), "--section", section]
+        size += ["--radius", _size(own.pop(None))]
         for edge, each in own.items():
             size += ["--edge", f"{edge}:{_size(each)}"]
         return self._blend("fillet", part, edges, size, partial, options)

@@ -22,6 +22,9 @@ class Fillet(EdgeBlend):
         Choice("Radii", "lines", [], "Radii of edges",
                "Of edges that have their own: Edge3: 2 mm, or Edge3: 2 mm..4 mm where it changes",
                "Edge3: 2 mm; Edge5: 2 mm..4 mm"),
+        Choice("FullRound", "flag", False, "Full round",
+               "In place of a radius: those with which two straight edges of one plane face leave "
+               "nothing of it, also where they are not parallel"),
         Choice("Setback", "length", "0 mm", "Setback",
                "How far from a vertex of three and more edges their strips end; 0: as near as can be"),
         Choice("Section", "word", "circle", "Section",
@@ -34,22 +37,28 @@ class Fillet(EdgeBlend):
     FACTS = facts_of("Rounded", "rounded")
 
     def unused(self, obj):
-        return set() if obj.Section == "conic" else {"Rho"}
+        unused = set() if obj.Section == "conic" else {"Rho"}
+        return unused | ({"Radius", "LastRadius", "Radii"} if obj.FullRound else set())
 
     def size(self, obj):
-        first = positive(obj.Radius, "Radius")
         if not 0 < obj.Rho < 1:
             raise ValueError(f"Rho: a number between 0 and 1 is wanted, got {obj.Rho:g}")
-        common = (first, obj.LastRadius.Value) if obj.LastRadius.Value > 0 else first
-        own = dict(map(_own_radius, obj.Radii))
         return {
-            "radius": {None: common, **own} if own else common,
+            **({"full_round": True} if obj.FullRound else {"radius": _radii(obj)}),
             **({"setback": obj.Setback.Value} if obj.Setback.Value > 0 else {}),
             "section": f"conic:{obj.Rho!r}" if obj.Section == "conic" else obj.Section,
         }
 
     def ask(self, entrance, inputs, options):
         return entrance.fillet(inputs["Edges"], **options)
+
+
+def _radii(obj):
+    """A radius, a pair of them, or what edges have. throws ValueError"""
+    first = positive(obj.Radius, "Radius")
+    common = (first, obj.LastRadius.Value) if obj.LastRadius.Value > 0 else first
+    own = dict(map(_own_radius, obj.Radii))
+    return {None: common, **own} if own else common
 
 
 def _own_radius(line):
