@@ -284,6 +284,16 @@ TEST(FilletOfRealFaces, EndsInPlanesBeforeItsBallTurnsRound) {
     expect_sound(fillet(model.shape(), {14}, {.radius = radius}));
 }
 
+// Behind the end of its edge the ball goes on beside the next one, which it does not round, to
+// where there is no room for it: the strip ends in a plane at the edge's end.
+TEST(FilletOfRealFaces, EndsInAPlaneThoughItsBallRollsOnToWhereItHasNoRoom) {
+  if (!std::filesystem::exists(propeller())) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
+  const Model model = testing::repaired_model(propeller());
+  for (const double radius : {0.00178598, 0.00535793, 0.0178598})
+    expect_sound(fillet(model.shape(), {37}, {.radius = radius}),
+                 largest_edge_tolerance(model.shape()));
+}
+
 // Its strip ends in a face that it crosses at a small angle, beside an edge of a tolerance of 1e-4:
 // their curve misses the vertex there by ten times as much.
 TEST(FilletOfRealFaces, EndsAtVerticesThatCoverTheMissesOfTolerantEdges) {

@@ -335,7 +335,9 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
   refuse(FilletFault::Corner, place, "the ball does not go on over an edge beside it", centre);
 }
 
-// The same, or nothing where the run is cut as the ball passes the next edges.
+// The same, or nothing where the run is cut as the ball passes the next edges, or where behind the
+// last one the ball has rolled on to where there is no room for it: what it came along ends the
+// walk then.
 std::optional<std::pair<WalkedStrip, double>> BallWalker::following_or_cut(const WalkedStrip& of,
                                                                            const WalkExit& exit,
                                                                            std::size_t& place,
@@ -344,7 +346,9 @@ std::optional<std::pair<WalkedStrip, double>> BallWalker::following_or_cut(const
     return following(of, exit, place, step);
   } catch (const FilletRefused& refusal) {
     cut_ = passing(place, step, refusal.why());
-    if (!cut_) throw;
+    const bool no_room =
+        refusal.why().fault == FilletFault::NoBall || refusal.why().fault == FilletFault::Pinch;
+    if (!cut_ && !(no_room && is_past_run(of, exit, place, step))) throw;
     return std::nullopt;
   }
 }

@@ -113,6 +113,7 @@ class BallWalker {
   std::optional<ContactCrossing> first_crossing(const WalkedStrip& of, std::size_t side,
                                                 double from, int ahead, int entered) const;
   bool is_past_end(const Vec3& centre) const;
+  bool is_past_run(const WalkedStrip& of, const WalkExit& exit, std::size_t place, int step) const;
   std::vector<Notch> notches_beside(const WalkedStrip& of, std::size_t contact,
                                     const std::vector<ContactCrossing>& crossed) const;
   std::array<int, 2> faces_behind(const WalkedStrip& of, const WalkExit& exit) const;

@@ -79,6 +79,12 @@ BallWalker::Course BallWalker::course(const WalkedStrip& of, int step, double t)
   return made;
 }
 
+// Whether the ball has come past the last edge of an open run.
+bool BallWalker::is_past_run(const WalkedStrip& of, const WalkExit& exit, std::size_t place,
+                             int step) const {
+  return !run_.closed && !next_place(place, step) && course(of, step, exit.t).past_end;
+}
+
 // A ball that finds no room further on, as faces come too near to each other, turns round and rolls
 // back, perhaps along another edge of theirs, until it goes over a border of them.
 void BallWalker::check_course(const WalkedStrip& of, int step, const Interval& way) const {
