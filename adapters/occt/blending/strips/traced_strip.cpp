@@ -8,6 +8,7 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -19,6 +20,7 @@
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
+#include <TColgp_HArray1OfPnt2d.hxx>
 #include <gp.hxx>
 #include <gp_Vec2d.hxx>
 
@@ -44,6 +46,8 @@ constexpr double kMinShare = 0.5;
 // Of the way of a loop that is not beside the edge: what stays free of an open strip.
 constexpr double kLoopShare = 0.2;
 constexpr int kSpineSamples = 4;  // between two knots of the strip
+// Likewise of a contact along an edge at most: its chart is as smooth as that of the edge.
+constexpr int kMaxEdgeParts = 256;
 
 Handle(Geom_BSplineSurface) surface_of(const BallStrip& strip) {
   const int rows = strip.poles.rows(), columns = strip.poles.columns();
@@ -240,15 +244,62 @@ void Tracing::check_reach(double end, const Vec3& vertex, double room) const {
          ball.contacts[0].point);
 }
 
-// The chart of a contact along an edge in the face behind that.
+// The chart of a contact along an edge in a face of that: what the edge has there, at the edge's
+// parameter that the contact has at each t. Null where the contact goes past an end of the edge, or
+// no fit is near enough.
+//
+// on_edge     the edge's parameter and the angle about it, by t
+// tolerance   model units
+Handle(Geom2d_Curve) chart_along(const BodyEdges& body, const EdgeUseInFace& use,
+                                 const Handle(Geom2d_BSplineCurve) & on_edge, double tolerance) {
+  const Interval ends = use.coedge->curve.domain();
+  const Vec2 scale = body.trims(use.face).scale;
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(body.face(use.face));
+  bool keeps = true;
+  const auto place = [&](double t) {
+    const double x = on_edge->Value(t).X();
+    keeps = keeps && x >= ends.from && x <= ends.to;
+    const Vec2 chart = point_at(use.coedge->curve, std::clamp(x, ends.from, ends.to));
+    return gp_Pnt2d(chart[0] / scale[0], chart[1] / scale[1]);
+  };
+  const auto point = [&](const gp_Pnt2d& uv) { return surface->Value(uv.X(), uv.Y()); };
+  for (int parts = kSpineSamples; parts <= kMaxEdgeParts && keeps; parts *= 2) {
+    const int count = parts * (on_edge->NbKnots() - 1) + 1;
+    const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, count);
+    const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, count);
+    for (int i = 0; i < count; ++i) {
+      const int knot = std::min(i / parts + 1, on_edge->NbKnots() - 1);
+      const Interval span{on_edge->Knot(knot), on_edge->Knot(knot + 1)};
+      places->SetValue(i + 1, at(span, static_cast<double>(i - (knot - 1) * parts) / parts));
+      points->SetValue(i + 1, place(places->Value(i + 1)));
+    }
+    Geom2dAPI_Interpolate maker(points, places, Standard_False, gp::Resolution());
+    maker.Perform();
+    double off = 0;
+    for (int i = 1; i < count; ++i) {
+      const double t = 0.5 * (places->Value(i) + places->Value(i + 1));
+      off = std::max(off, point(maker.Curve()->Value(t)).Distance(point(place(t))));
+    }
+    if (off <= tolerance && keeps) return Handle(Geom2d_Curve)(maker.Curve());
+  }
+  return {};
+}
+
 void Tracing::put_on_face(std::size_t k, RolledStrip& strip) const {
   RolledContact& contact = strip.contacts[k];
   const TopoDS_Edge along = body.edge(held[k]);
+  const EdgeUseInFace& use = body.use_in(held[k], contact.face);
+  if (const Handle(Geom2d_Curve) chart = chart_along(
+          body, use, Handle(Geom2d_BSplineCurve)::DownCast(contact.chart), Precision::Confusion());
+      !chart.IsNull()) {
+    contact.chart = chart;
+    return;
+  }
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(along, range.from, range.to);
   const gp_Pnt middle = contact.curve->Value(at(strip.range, 0.5));
-  const Vec2 chart = point_at(body.use_in(held[k], contact.face).coedge->curve,
-                              nearest_on(curve, range, {middle.X(), middle.Y(), middle.Z()}));
+  const Vec2 chart =
+      point_at(use.coedge->curve, nearest_on(curve, range, {middle.X(), middle.Y(), middle.Z()}));
   const Vec2 scale = body.trims(contact.face).scale;
   const SurfaceProjector feet(body.face(contact.face), Precision::Confusion());
   contact.chart =
