@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -178,9 +177,7 @@ WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double f
         continue;
       }
       const WalkExit end{first[*side]->t, {}, true, first[*side]->use->edge};
-      std::size_t nearest = 0;
-      return is_before_end(of, place, step, end, nearest) &&
-                     leans(of, end.t, *first[*side], std::numbers::pi)
+      return holds_sharp(of, place, step, end, *first[*side])
                  ? onto_edge(of, *side, *first[*side], step)
                  : end;
     }

@@ -89,8 +89,12 @@ class BallWalker {
                                                 int entered) const;
   std::optional<WalkedStrip> start_behind(std::size_t place);
   bool is_start(const std::array<int, 2>& faces, const std::array<int, 2>& held) const;
-  bool leans(const WalkedStrip& of, double t, const ContactCrossing& over, double most) const;
+  bool leans(const ContactCrossing& over) const;
+  bool runs_along(const WalkedStrip& of, double t, const ContactCrossing& over) const;
   bool holds(const WalkedStrip& of, double t, const ContactCrossing& over) const;
+  bool holds_sharp(const WalkedStrip& of, std::size_t place, int step, const WalkExit& end,
+                   const ContactCrossing& over) const;
+  bool is_over_vertex() const;
   bool begins_at(int edge, const DirectedEdge& half) const;
   bool is_end_edge(int edge) const;
   double turned_past(const WalkedStrip& of, std::size_t side, const EdgeUseInFace& use,

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 
 #include <BRep_Tool.hxx>
@@ -44,27 +43,49 @@ bool BallWalker::is_end_edge(int edge) const {
   return !run_.closed && (begins_at(edge, run_.first()) || begins_at(edge, run_.last()));
 }
 
-// Whether a contact that leaves its face over an edge goes on along it, where faces turn away from
-// the ball there by less than an angle.
-bool BallWalker::leans(const WalkedStrip& of, double t, const ContactCrossing& over,
-                       double most) const {
+// Whether the faces at an edge over which a contact leaves its face turn away from the ball, which
+// then can lean on it.
+bool BallWalker::leans(const ContactCrossing& over) const {
   const auto profile = profiles_.everywhere();
-  const int edge = over.use->edge;
-  if (!profile || !profile->is_ball() || is_smooth_at(body_, over) || is_end_edge(edge))
+  if (!profile || !profile->is_ball() || is_smooth_at(body_, over) || is_end_edge(over.use->edge))
     return false;
   const EdgeUseInFace& other = body_.behind(*over.use);
   if (other.face == over.use->face) return false;
-  const BodyEdges::Corner here = body_.corner(*over.use, over.edge_parameter),
-                          behind = body_.corner(other, over.edge_parameter);
-  const double falls = -dot(behind.inwards, here.normal);
-  const Vec3 way = unit(vec(of.strip.spine->DN(t, 1)));
-  return (run_.concave ? falls > 0 : falls < 0) &&
-         dot(here.normal, behind.normal) > std::cos(most) &&
-         std::abs(dot(way, here.along)) > std::cos(kMaxBend);
+  const double falls = -dot(body_.corner(other, over.edge_parameter).inwards,
+                            body_.corner(*over.use, over.edge_parameter).normal);
+  return run_.concave ? falls > 0 : falls < 0;
 }
 
+// Whether the ball's way is along that edge.
+bool BallWalker::runs_along(const WalkedStrip& of, double t, const ContactCrossing& over) const {
+  const Vec3 way = unit(vec(of.strip.spine->DN(t, 1)));
+  return std::abs(dot(way, body_.corner(*over.use, over.edge_parameter).along)) >
+         std::cos(kMaxBend);
+}
+
+// Whether the contact goes on along that edge in any case: at a bend, along the ball's way.
 bool BallWalker::holds(const WalkedStrip& of, double t, const ContactCrossing& over) const {
-  return leans(of, t, over, kMaxBend);
+  if (!leans(over)) return false;
+  const BodyEdges::Corner here = body_.corner(*over.use, over.edge_parameter),
+                          behind = body_.corner(body_.behind(*over.use), over.edge_parameter);
+  return dot(here.normal, behind.normal) > std::cos(kMaxBend) && runs_along(of, t, over);
+}
+
+// Whether it does at a sharper one: before the end of the run, where that is not cut there.
+bool BallWalker::holds_sharp(const WalkedStrip& of, std::size_t place, int step,
+                             const WalkExit& end, const ContactCrossing& over) const {
+  std::size_t nearest = 0;
+  if (!is_before_end(of, place, step, end, nearest) || !leans(over)) return false;
+  const bool is_round =
+      is_over_vertex() && place == (step > 0 ? run_.edges.size() - 1 : std::size_t{0});
+  return is_round || runs_along(of, end.t, over) || !joint_at(over.use->edge, place, step);
+}
+
+// Whether the run is closed over a vertex in which its edges do not go on in each other.
+bool BallWalker::is_over_vertex() const {
+  return run_.closed && run_.edges.size() > 1 &&
+         -dot(direction_at(body_, run_.first()), direction_at(body_, run_.last())) <
+             std::cos(kSmoothJoint);
 }
 
 // Of a ball that leans on an edge, where it comes to the next one: in their common vertex, where
