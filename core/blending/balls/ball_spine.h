@@ -2,8 +2,7 @@
 // Where the path of a ball between two surfaces is valid.
 //
 // A ball whose radius is a radius of curvature of a surface at the contact stops there: its centre
-// and the other contact turn back. On one side of such a cusp it lies in the surface. All paths
-// between two surfaces: `core/blending/balls/ball_search.h`.
+// and the other contact turn back. On one side of such a cusp it lies in the surface.
 
 #pragma once
 
