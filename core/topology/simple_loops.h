@@ -32,8 +32,5 @@ enum class Nesting {
 /// cost      about 50 ns for each two spans whose boxes meet, and 5 ns for all others; of spans
 ///           that run beside each other no more than those tests, some 0.3 ms for each span
 Nesting nesting_of(const FaceTrims& trims, double margin);
-inline bool are_simple(const FaceTrims& trims, double margin) {
-  return nesting_of(trims, margin) == Nesting::Sound;
-}
 
 }  // namespace blossom

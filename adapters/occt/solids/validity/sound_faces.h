@@ -8,7 +8,7 @@
 namespace blossom::occt {
 
 /// Whether the wires of a face are proven not to meet themselves nor each other, and to have the
-/// face within one of them and outside of all others: `are_simple` (core/topology/simple_loops.h),
+/// face within one of them and outside of all others: `nesting_of` (core/topology/simple_loops.h),
 /// with a margin for what BRepCheck takes for one.
 ///
 /// returns   false in doubt, as of faces with vertices and edges that are in no loop, and of what
