@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-#include <utility>
 
 #include "adapters/cgal/mesh_chains.h"
 #include "core/base/errors.h"

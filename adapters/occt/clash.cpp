@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
 
 #include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>

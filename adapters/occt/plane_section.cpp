@@ -2,7 +2,6 @@
 #include "adapters/occt/plane_section.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include <BRepBuilderAPI_MakeFace.hxx>

@@ -2,7 +2,6 @@
 #include "adapters/openmesh/meshes.h"
 
 #include <algorithm>
-#include <string>
 
 #include "core/base/errors.h"
 #include "core/forms/algebra/conversion.h"

@@ -2,7 +2,6 @@
 #include "core/blossom/triangle_composition.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "core/base/errors.h"

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <memory_resource>
-#include <vector>
 
 #include "core/forms/curve_spans.h"
 #include "core/forms/evaluation.h"

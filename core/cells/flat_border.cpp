@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/unbounded.h"
 #include "core/subdivision/patch_subdivision.h"

@@ -2,7 +2,6 @@
 #include "core/curves/curve_meeting.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/errors.h"
 #include "core/base/unbounded.h"

@@ -2,7 +2,6 @@
 #include "core/curves/curve_pair.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/bounds/value_arithmetic.h"

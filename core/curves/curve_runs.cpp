@@ -2,11 +2,9 @@
 // Pairs of pieces that stay within tolerance of each other, as runs, points of contact, and cusps.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "core/base/disjoint_sets.h"

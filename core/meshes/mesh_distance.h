@@ -13,7 +13,6 @@
 #include <array>
 #include <functional>
 #include <span>
-#include <vector>
 
 #include "core/base/unbounded.h"
 #include "core/math/vec.h"

@@ -2,7 +2,6 @@
 #include "core/meshes/smooth_triangles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <string>
 

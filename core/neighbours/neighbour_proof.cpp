@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "core/bounds/patch_boxes.h"
 #include "core/cells/cell_pair.h"

@@ -11,7 +11,6 @@
 
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "core/forms/curve.h"

@@ -2,7 +2,6 @@
 #include "core/plane/planar_crossings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>

@@ -2,7 +2,6 @@
 #include "core/regions/curved_triangles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <map>

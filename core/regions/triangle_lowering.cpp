@@ -2,7 +2,6 @@
 #include "core/regions/triangle_lowering.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 

@@ -2,7 +2,6 @@
 #include "core/topology/chart_region.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace blossom {

@@ -2,7 +2,6 @@
 #include "core/tracing/fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -2,7 +2,6 @@
 #include "core/watertight/lower_degrees.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <variant>
 

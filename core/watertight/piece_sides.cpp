@@ -2,7 +2,6 @@
 #include "core/watertight/piece_sides.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <variant>
 
 #include "core/blossom/triangle_composition.h"

@@ -2,7 +2,6 @@
 #include "core/watertight/watertight.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>

@@ -2,11 +2,9 @@
 #include "plugin/meshes/mesh_judge.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <sstream>
 #include <utility>
-#include <vector>
 
 #ifdef BLOSSOM_WITH_CGAL
 #include "adapters/cgal/mesh_judge.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/meshes/mesh_parts.h"
 
-#include <algorithm>
-
 #include "adapters/occt/base/errors.h"
 #include "core/math/index.h"
 #include "plugin/meshes/formats/text_words.h"

@@ -6,7 +6,6 @@
 #include <functional>
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "core/blossom/triangle_blossom.h"
 #include "core/forms/curve.h"

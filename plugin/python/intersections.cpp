@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/border_numbers.h"

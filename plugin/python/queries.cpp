@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Questions about points, planes, rays and distances, and about models as they are.
 
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>

@@ -19,7 +19,6 @@
 // since there is nothing else to measure there).
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

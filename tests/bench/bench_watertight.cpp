@@ -16,12 +16,10 @@
 // that cross. Seconds are processor time of the cut, and of the pieces with their checks. --keep
 // writes the shapes as .brep.
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The rivals without wide vectors, and the choice among the widths.
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "core/forms/curve.h"

@@ -2,8 +2,6 @@
 #include "tests/bench/watertight_meshes.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>

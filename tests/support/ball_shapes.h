@@ -3,10 +3,8 @@
 
 #pragma once
 
-#include <cmath>
 #include <functional>
 #include <numbers>
-#include <vector>
 
 #include "core/forms/surface.h"
 #include "tests/support/cubic_family.h"

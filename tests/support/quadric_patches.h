@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "core/forms/patch.h"

@@ -2,7 +2,6 @@
 #include "adapters/occt/coincidence/trimmed_overlaps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>

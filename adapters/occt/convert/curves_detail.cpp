@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <utility>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"

@@ -3,7 +3,6 @@
 
 #include "adapters/occt/convert/surfaces.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <BRep_Tool.hxx>

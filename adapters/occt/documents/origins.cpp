@@ -2,7 +2,6 @@
 // Parts made of pieces of other models' faces, with the names and colours that those have.
 
 #include <cstddef>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>

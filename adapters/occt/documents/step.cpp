@@ -4,7 +4,6 @@
 #include <exception>
 #include <functional>
 #include <memory>
-#include <string>
 
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Reader.hxx>

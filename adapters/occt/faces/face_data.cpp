@@ -2,14 +2,8 @@
 #include "adapters/occt/faces/face_data.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>

@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <queue>
-#include <utility>
 
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>

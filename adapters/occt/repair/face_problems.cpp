@@ -2,7 +2,6 @@
 // What is wrong with faces, as Open CASCADE's BRepCheck and the conversion of their surfaces see
 // it.
 #include <cstddef>
-#include <exception>
 #include <optional>
 
 #include <BRepCheck_Analyzer.hxx>

@@ -2,7 +2,6 @@
 // What is left of a sheet.
 
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "adapters/occt/base/errors.h"

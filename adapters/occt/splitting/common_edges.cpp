@@ -2,7 +2,6 @@
 #include "adapters/occt/splitting/common_edges.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include <BRep_Builder.hxx>

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
-#include <utility>
 
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>

@@ -6,8 +6,6 @@
 
 #pragma once
 
-#include <algorithm>
-
 #include "core/forms/function.h"
 
 namespace blossom {

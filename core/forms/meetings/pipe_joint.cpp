@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/forms/meetings/pipe_joint.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

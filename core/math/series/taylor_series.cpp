@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 
 #include "core/base/unbounded.h"
 #include "core/math/four.h"

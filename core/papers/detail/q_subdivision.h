@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "core/papers/detail/q_blossom.h"

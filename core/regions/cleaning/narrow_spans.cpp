@@ -2,7 +2,6 @@
 #include "core/regions/cleaning/narrow_spans.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
 

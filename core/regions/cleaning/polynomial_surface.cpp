@@ -2,7 +2,6 @@
 #include "core/regions/cleaning/polynomial_surface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>

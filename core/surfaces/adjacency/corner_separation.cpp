@@ -2,7 +2,6 @@
 #include "core/surfaces/adjacency/corner_separation.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/unbounded.h"
 

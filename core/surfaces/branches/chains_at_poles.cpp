@@ -2,7 +2,6 @@
 #include "core/surfaces/branches/chains_at_poles.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include "core/forms/evaluation.h"

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "core/surfaces/gap/contact_points.h"

@@ -2,7 +2,6 @@
 #include "core/surfaces/pairs/shared_cells.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/forms/evaluation.h"
 #include "core/subdivision/patch_subdivision.h"

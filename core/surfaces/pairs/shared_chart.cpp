@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "core/base/unbounded.h"
 #include "core/forms/algebra/products.h"

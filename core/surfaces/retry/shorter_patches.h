@@ -9,7 +9,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "core/forms/surface.h"
 #include "core/results/result.h"

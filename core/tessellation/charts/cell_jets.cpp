@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "core/base/unbounded.h"

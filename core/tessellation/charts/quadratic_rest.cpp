@@ -2,7 +2,6 @@
 #include "core/tessellation/charts/quadratic_rest.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/math/index.h"
 

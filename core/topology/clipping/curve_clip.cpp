@@ -2,7 +2,6 @@
 // What the trims of a face leave of a curve.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>

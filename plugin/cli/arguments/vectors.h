@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "adapters/occt/plane_section.h"
 #include "core/math/vec.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom convert F -o OUT`: between file formats, and to other forms of surfaces.
 
-#include <algorithm>
 #include <memory>
 #include <sstream>
 #include <string>

@@ -2,7 +2,6 @@
 #include "plugin/cli/picture/scene.h"
 
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include <Bnd_Box.hxx>

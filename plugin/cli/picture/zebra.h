@@ -8,8 +8,6 @@
 
 #pragma once
 
-#include <vector>
-
 #include "plugin/cli/picture/mesh.h"
 #include "plugin/cli/picture/picture.h"
 

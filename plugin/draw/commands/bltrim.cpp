@@ -2,7 +2,6 @@
 // bltrim result part above|below|inside|outside|all|N tool [tool ...]
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <map>
 #include <optional>
-#include <utility>
 
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/reports/models/soundness.h"
 
-#include <string>
 #include <utility>
 #include <vector>
 

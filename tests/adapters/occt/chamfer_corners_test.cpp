@@ -2,7 +2,6 @@
 // Corners of three and more chamfers.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include <BRepAdaptor_Curve.hxx>

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Edges that meet solids, sheets and other edges where it is known by hand.
-#include <cmath>
-#include <numbers>
-#include <vector>
 
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeEdge.hxx>

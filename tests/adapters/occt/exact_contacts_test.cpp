@@ -3,9 +3,7 @@
 // closed forms.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
 #include <tuple>

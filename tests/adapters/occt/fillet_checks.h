@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>

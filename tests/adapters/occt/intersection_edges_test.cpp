@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>

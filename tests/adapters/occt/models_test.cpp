@@ -3,7 +3,6 @@
 // that nothing made up is like.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <random>

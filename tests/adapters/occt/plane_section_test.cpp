@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>

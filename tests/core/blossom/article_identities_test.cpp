@@ -5,9 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <numeric>
-
 #include "core/blossom/curve_blossom.h"
 #include "core/forms/algebra/conversion.h"
 #include "core/forms/algebra/de_casteljau.h"

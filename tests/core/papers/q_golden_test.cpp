@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "core/base/errors.h"
 #include "core/papers/q_bernstein.h"

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "core/base/errors.h"
 #include "core/forms/algebra/de_casteljau.h"
 #include "tests/support/shapes.h"

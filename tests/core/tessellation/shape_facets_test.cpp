@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <string>
 #include <utility>
 
 #include "core/base/errors.h"

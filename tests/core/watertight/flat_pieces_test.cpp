@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <variant>
-
 #include "core/blossom/triangle_composition.h"
 
 namespace blossom {

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <set>
 #include <string>
 

@@ -2,7 +2,6 @@
 #include "adapters/occt/faces/pairs/run_curves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include <BRep_Tool.hxx>

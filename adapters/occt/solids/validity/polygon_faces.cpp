@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/solids/validity/polygon_faces.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/splitting/edges/edge_meetings.h"
 
-#include <array>
 #include <optional>
 
 #include <gp_Pnt.hxx>

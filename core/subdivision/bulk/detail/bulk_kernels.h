@@ -8,8 +8,6 @@
 
 #pragma once
 
-#include <cstddef>
-
 #include "core/subdivision/bulk/bulk_matrices.h"
 #include "core/subdivision/bulk/simd_level.h"
 #include "core/subdivision/cell_nets.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom blend KIND ...`: surfaces between surfaces.
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <sstream>

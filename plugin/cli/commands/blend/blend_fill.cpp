@@ -2,7 +2,6 @@
 #include "plugin/cli/commands/blend/blend_fill.h"
 
 #include <memory>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>

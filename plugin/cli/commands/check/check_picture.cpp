@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/commands/check/check_picture.h"
 
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <sstream>
-#include <utility>
 
 #include <Bnd_Box.hxx>
 

@@ -2,7 +2,6 @@
 #include "plugin/cli/commands/meshes/mesh_commands.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <sstream>
 #include <utility>

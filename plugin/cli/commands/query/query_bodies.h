@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "adapters/occt/bodies.h"
 #include "plugin/cli/arguments/inputs.h"

@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 #include <sstream>
-#include <vector>
 
 #include "adapters/occt/ray_casting.h"
 #include "plugin/cli/arguments/options.h"

@@ -4,8 +4,6 @@
 #include "tests/adapters/occt/convert/surfaces_samples.h"
 #include "tests/support/measures.h"
 
-#include <array>
-
 #include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 

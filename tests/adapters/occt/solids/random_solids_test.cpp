@@ -13,8 +13,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>

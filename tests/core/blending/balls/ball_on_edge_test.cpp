@@ -2,7 +2,6 @@
 // Balls that roll along an edge, and touch a surface.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 

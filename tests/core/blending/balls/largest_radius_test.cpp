@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "core/base/errors.h"
 #include "tests/support/ball_shapes.h"

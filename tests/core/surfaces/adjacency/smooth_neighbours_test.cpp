@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "core/cells/direction_cones.h"
 #include "core/forms/algebra/degree.h"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <vector>
 
 #include "core/surface_intersection.h"
 #include "tests/support/components.h"

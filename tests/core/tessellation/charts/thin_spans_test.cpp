@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/tessellation/charts/spline_chart.h"
 #include "tests/support/random.h"

@@ -11,8 +11,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <numbers>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <BRepBuilderAPI_Copy.hxx>
