@@ -19,13 +19,14 @@
 #include "core/distance/nearest_pair.h"
 #include "core/distance/operand_trees.h"
 #include "core/distance/square_form.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Distances of points below this, relative to the largest coordinate, are roundings.
-constexpr double kRounding = 64 * 0x1p-53;
+constexpr double kRounding = 64 * kUnitRoundoff;
 constexpr int kHalvingsPerStart = 12;   // of a pair, for Newton's method even without a promise
 constexpr long kPairsPerQuestion = 64;  // looked at before it is asked whether to go on
 // Balls, cylinders and tori between the sets are tried at every so many halvings of a pair.

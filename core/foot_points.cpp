@@ -14,6 +14,7 @@
 #include "core/forms/algebra/derivatives.h"
 #include "core/forms/algebra/products.h"
 #include "core/forms/evaluation.h"
+#include "core/math/roundoff.h"
 #include "core/rays/limits.h"
 #include "core/rays/two_forms.h"
 #include "core/subdivision/cell_nets.h"
@@ -80,7 +81,7 @@ Equations equations(const RationalBezierPatch& patch, const Vec3& p, bool ration
   const int degree = std::max(patch.degree_u(), patch.degree_v());
   const double growth = 2.0 * degree * size * (rational ? 2 * weight : 1);
   const double roundings = 3.0 * times * ((n + 1) * (m + 1) + 29);
-  result.margin = 3 * growth * (roundings * size + 8 * numbers) * 0x1p-53;
+  result.margin = 3 * growth * (roundings * size + 8 * numbers) * kUnitRoundoff;
   return result;
 }
 

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "core/forms/function.h"
+#include "core/math/roundoff.h"
 #include "core/math/vec.h"
 
 namespace blossom {
@@ -59,7 +60,7 @@ double composition_growth(int degree_u, int degree_v, const BezierCurve& curve);
 /// weights of points, their products and the last division 6.
 constexpr double composition_error(int degree_u, int degree_v, int degree) {
   const int least = degree_u < degree_v ? degree_u : degree_v;
-  return ((degree_u + degree_v) * (degree + 5) + least * degree + 8) * 0x1p-53;
+  return ((degree_u + degree_v) * (degree + 5) + least * degree + 8) * kUnitRoundoff;
 }
 
 }  // namespace blossom

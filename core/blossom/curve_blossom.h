@@ -17,6 +17,7 @@
 
 #include "core/forms/curve.h"
 #include "core/math/interval.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -74,6 +75,6 @@ double blossom_scale(const MonomialCurveOf<Point>& curve, const Interval& interv
 /// Bound on the error of the closed forms above, relative to the sum of the absolute values of
 /// their terms. A power carries up to 3n roundings when the curve has a centre and a scale
 /// (n without), the inner sum n / 2, the outer one n, and five single ones.
-constexpr double blossom_error(int degree) { return (5 * degree + 6) * 0x1p-53; }
+constexpr double blossom_error(int degree) { return (5 * degree + 6) * kUnitRoundoff; }
 
 }  // namespace blossom

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/forms/function.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -39,14 +40,14 @@ BezierPatch normal_net(const RationalBezierPatch& patch);
 /// has 2 roundings; a cross product doubles the size and has product_error and one more.
 constexpr double normal_net_error(int degree_u, int degree_v) {
   const int product = degree_u * degree_v;
-  return 8 * product * (product + 18) * 0x1p-53;
+  return 8 * product * (product + 18) * kUnitRoundoff;
 }
 
 /// Three products of a derivative and a cross product, each with 2 roundings of a derivative, and
 /// the sum of the three.
 constexpr double rational_normal_net_error(int degree_u, int degree_v) {
   const int terms = (degree_u + 1) * (degree_v + 1);
-  return 24 * degree_u * degree_v * (2 * terms + 35) * 0x1p-53;
+  return 24 * degree_u * degree_v * (2 * terms + 35) * kUnitRoundoff;
 }
 
 }  // namespace blossom

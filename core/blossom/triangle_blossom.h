@@ -16,6 +16,7 @@
 
 #include "core/forms/patch.h"
 #include "core/forms/triangle.h"
+#include "core/math/roundoff.h"
 #include "core/math/vec.h"
 
 namespace blossom {
@@ -88,7 +89,7 @@ double triangle_scale(const MonomialPatchOf<Point>& patch, const TriangleCorners
 /// Powers and their products round N + 6 times, the four nested sums 2N, the outer sum n + m, and
 /// a centre and a scale 2N.
 constexpr double triangle_blossom_error(int degree, int degree_u, int degree_v) {
-  return (5 * degree + degree_u + degree_v + 12) * 0x1p-53;
+  return (5 * degree + degree_u + degree_v + 12) * kUnitRoundoff;
 }
 
 }  // namespace blossom

@@ -12,6 +12,7 @@
 #include "core/forms/curve.h"
 #include "core/forms/patch.h"
 #include "core/forms/triangle.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -68,7 +69,7 @@ void set_side(BezierTriangleOf<Point>& triangle, int from, int to,
 constexpr double triangle_composition_error(int degree_u, int degree_v, int degree) {
   const auto terms = [](int d) { return (d + 1) * (d + 2) / 2; };
   const int least = degree_u < degree_v ? degree_u : degree_v;
-  return ((degree_u + degree_v) * (terms(degree) + 7) + terms(least * degree) + 10) * 0x1p-53;
+  return ((degree_u + degree_v) * (terms(degree) + 7) + terms(least * degree) + 10) * kUnitRoundoff;
 }
 
 }  // namespace blossom

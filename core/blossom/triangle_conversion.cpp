@@ -7,6 +7,7 @@
 #include "core/blossom/detail/triangle_conversion.h"
 #include "core/forms/algebra/degree.h"
 #include "core/forms/detail/checks.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
@@ -75,7 +76,7 @@ BezierPatchOf<Point> half_patch(const BezierTriangleOf<Point>& triangle) {
 }
 
 double half_patch_error(int degree) {
-  return (5 * degree + 6 + degree) * std::pow(1.5, degree) * 0x1p-53;
+  return (5 * degree + 6 + degree) * std::pow(1.5, degree) * kUnitRoundoff;
 }
 
 #define BLOSSOM_INSTANTIATE(Point)                                               \

@@ -11,6 +11,7 @@
 
 #include "core/forms/patch.h"
 #include "core/forms/triangle.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -81,6 +82,6 @@ double half_patch_error(int degree);
 
 /// Bound on the error of three_quads. A blossom has N levels of 5 roundings, whose argument, a
 /// third, is off by one rounding more; up to N / 2 + 1 terms, their products and the division 4.
-constexpr double three_quads_error(int degree) { return (6.5 * degree + 5) * 0x1p-53; }
+constexpr double three_quads_error(int degree) { return (6.5 * degree + 5) * kUnitRoundoff; }
 
 }  // namespace blossom

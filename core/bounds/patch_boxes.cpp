@@ -11,16 +11,17 @@
 #include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
 #include "core/math/four.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
 
 constexpr int kBlock = 4;  // so many boxes a side have one above them
 constexpr std::size_t kFewPatches = 1024;
-constexpr std::size_t kPatchGrain = 256;    // patches, and
-constexpr std::size_t kBlockGrain = 64;     // blocks that one thread bounds in a row
-constexpr std::size_t kMinShared = 64;      // pairs of blocks, to share out
-constexpr double kRounding = 16 * 0x1p-53;  // of the coordinates: as much as cells allow for
+constexpr std::size_t kPatchGrain = 256;          // patches, and
+constexpr std::size_t kBlockGrain = 64;           // blocks that one thread bounds in a row
+constexpr std::size_t kMinShared = 64;            // pairs of blocks, to share out
+constexpr double kRounding = 16 * kUnitRoundoff;  // of the coordinates: as much as cells allow for
 
 // All four coordinates at a time, the weights for nothing.
 BLOSSOM_HOT Box polynomial_hull_box(std::span<const Vec4> points) {

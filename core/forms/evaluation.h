@@ -7,6 +7,7 @@
 
 #include "core/forms/curve.h"
 #include "core/forms/patch.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -39,6 +40,6 @@ struct CurveJet {
 CurveJet jet_at(const RationalBezierCurve& curve, double t);
 
 /// n levels with three roundings each, weights likewise, and the quotient.
-constexpr double evaluation_error(int degree) { return (6.0 * degree + 4.0) * 0x1p-53; }
+constexpr double evaluation_error(int degree) { return (6.0 * degree + 4.0) * kUnitRoundoff; }
 
 }  // namespace blossom

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "core/forms/curve.h"
+#include "core/math/roundoff.h"
 #include "core/math/vec.h"
 #include "core/papers/q_numbers.h"
 
@@ -177,7 +178,7 @@ std::vector<int> reversed_permutation(int n);
 /// rounds up to n^2 / 2 + n^2 / 4 + 2 n + 2 times, phi_k 2 n times and, at the ends of an interval,
 /// n (n - 1) / 2 times more in its arguments; the sum n + 2 times.
 constexpr double q_blossom_error(int degree) {
-  return (1.25 * degree * degree + 5 * degree + 6) * 0x1p-53;
+  return (1.25 * degree * degree + 5 * degree + 6) * kUnitRoundoff;
 }
 
 }  // namespace blossom

@@ -16,6 +16,7 @@
 #include "core/forms/curve.h"
 #include "core/math/grid.h"
 #include "core/math/interval.h"
+#include "core/math/roundoff.h"
 #include "core/papers/q_blossom.h"
 #include "core/papers/q_numbers.h"
 
@@ -118,7 +119,7 @@ double bezier_form_error(const QBezierCurveOf<Point>& curve);
 /// Roundings of bezier_form to first order: a factor 2 i + 4 and its divisor 2 i + 4 and 1, i < n,
 /// the product 2 n, [n,k] at most n^2 / 4 + 2 n, two for the scaling, and n + 1 for the sum.
 constexpr double q_conversion_error(int degree) {
-  return (2.25 * degree * degree + 12 * degree + 3) * 0x1p-53;
+  return (2.25 * degree * degree + 12 * degree + 3) * kUnitRoundoff;
 }
 
 /// The points at a cut t: the values of the blossom that are control points over [a, t] and [t, b]

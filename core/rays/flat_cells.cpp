@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/math/roundoff.h"
 #include "core/rays/patch_cells.h"
 
 namespace blossom {
@@ -89,7 +90,7 @@ void FlatCells::add_patch(int surface, int row, int column) {
   largest_net_ = std::max(largest_net_, points);
   // Weights of degree n carry 3 n roundings, sums one each, the quotient one.
   const double roundings = 4.0 * (patch.degree_u() + patch.degree_v()) + 12;
-  evaluation_error_ = std::max(evaluation_error_, 2 * roundings * 0x1p-53);
+  evaluation_error_ = std::max(evaluation_error_, 2 * roundings * kUnitRoundoff);
   const Box box = box_of(patch);
   const double largest = std::max(max_norm(box.low), max_norm(box.high));
   scale_ = std::max(scale_, largest);

@@ -5,11 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include "core/math/roundoff.h"
+
 namespace blossom {
 namespace {
 
 // Relative to the largest coordinate: a product and a sum on the way to local coordinates and back.
-constexpr double kShiftError = 8 * 0x1p-53;
+constexpr double kShiftError = 8 * kUnitRoundoff;
 
 bool is_polynomial(const RationalBezierTriangle& triangle) {
   return std::ranges::all_of(triangle.points, [](const Vec4& p) { return p[3] == 1; });

@@ -17,6 +17,8 @@
 
 #pragma once
 
+#include "core/math/roundoff.h"
+
 namespace blossom {
 
 /// Nets of cells, coordinate planes stored one after the other (structure of arrays).
@@ -87,20 +89,20 @@ void monomial_from_bezier(const NetShape& shape, const double* net, double* coef
 /// `degree`), relative to the largest absolute value of the plane it started from. Each of the n
 /// levels of a halving rounds 1 - cut, two products and a sum.
 constexpr double halving_error(int degree, int depth) {
-  return (3.0 * degree * depth + 1.0) * 0x1p-53;
+  return (3.0 * degree * depth + 1.0) * kUnitRoundoff;
 }
 
 /// Error of re-centred coefficients after `depth` halvings, summed over a plane, relative to the
 /// sum of absolute values of the coefficients it started from. An entry of the matrix carries
 /// 2n + 2 roundings, the sum of products n + 1 more.
 constexpr double monomial_halving_error(int degree, int depth) {
-  return (3.0 * degree + 4.0) * depth * 0x1p-53;
+  return (3.0 * degree + 4.0) * depth * kUnitRoundoff;
 }
 
 /// Error of a value of the net, relative to the sum of absolute values of the coefficients of
 /// its plane. Each direction: K rounded once, products once, sums n times.
 constexpr double bezier_from_monomial_error(int degree_u, int degree_v) {
-  return (degree_u + degree_v + 5.0) * 0x1p-53;
+  return (degree_u + degree_v + 5.0) * kUnitRoundoff;
 }
 
 /// Error of the coefficients of a plane, summed, relative to the largest absolute value of the
@@ -108,7 +110,7 @@ constexpr double bezier_from_monomial_error(int degree_u, int degree_v) {
 constexpr double monomial_from_bezier_error(int degree_u, int degree_v) {
   double power = 1;
   for (int i = 0; i < degree_u + degree_v; ++i) power *= 2;
-  return (degree_u + degree_v + 3.0) * power * 0x1p-53;
+  return (degree_u + degree_v + 3.0) * power * kUnitRoundoff;
 }
 
 }  // namespace blossom

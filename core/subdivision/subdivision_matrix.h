@@ -9,6 +9,7 @@
 #include "core/forms/curve.h"
 #include "core/math/grid.h"
 #include "core/math/interval.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -42,7 +43,7 @@ Grid<double> monomial_matrix(int degree, const Interval& piece);
 /// Bound on the error of a coordinate of a piece of a curve inside [0, 1], relative to the
 /// largest coordinate. An entry of S is a sum of at most n / 2 + 1 products of Bernstein
 /// polynomials, which carry 3n roundings together; a dot product has n + 1 more.
-constexpr double curve_subdivision_error(int degree) { return (4.5 * degree + 4) * 0x1p-53; }
+constexpr double curve_subdivision_error(int degree) { return (4.5 * degree + 4) * kUnitRoundoff; }
 
 /// The same for a sub-patch inside the unit square: two directions of at most this degree.
 constexpr double subdivision_error(int degree) { return 2 * curve_subdivision_error(degree); }

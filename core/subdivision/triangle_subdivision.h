@@ -18,6 +18,7 @@
 #include "core/blossom/triangle_blossom.h"
 #include "core/forms/patch.h"
 #include "core/forms/triangle.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -53,10 +54,10 @@ BezierTriangleOf<Point> sub_triangle(const BezierTriangleOf<Point>& triangle,
 constexpr double sub_triangle_error(int degree_u, int degree_v) {
   const int least = std::min(degree_u, degree_v);
   const int terms = (least + 1) * (least + 2) / 2;
-  return (6 * (degree_u + degree_v) + terms + 12) * 0x1p-53;
+  return (6 * (degree_u + degree_v) + terms + 12) * kUnitRoundoff;
 }
 
 /// Likewise for a triangle cut out of a triangle: N levels of three products, with 1 - x - y.
-constexpr double inner_triangle_error(int degree) { return (5 * degree + 1) * 0x1p-53; }
+constexpr double inner_triangle_error(int degree) { return (5 * degree + 1) * kUnitRoundoff; }
 
 }  // namespace blossom

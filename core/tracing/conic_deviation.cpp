@@ -9,6 +9,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/math/roundoff.h"
 #include "core/tracing/spline_fit.h"
 
 namespace blossom {
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 // Of the coordinates and lengths that a bound is summed from: some fifty roundings in a row.
-constexpr double kLawRounding = 64 * 0x1p-53;
+constexpr double kLawRounding = 64 * kUnitRoundoff;
 
 constexpr auto kPiece = static_cast<std::size_t>(kFitDegree);
 

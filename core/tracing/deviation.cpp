@@ -12,6 +12,7 @@
 #include "core/base/not_zero.h"
 #include "core/base/parallel.h"
 #include "core/forms/algebra/degree.h"
+#include "core/math/roundoff.h"
 #include "core/math/series/power_series.h"
 #include "core/tracing/image_gap.h"
 #include "core/tracing/packed_vec7.h"
@@ -29,7 +30,7 @@ constexpr std::size_t kSpansOfProof = 8;  // that one thread proves in a row
 constexpr std::size_t kMinShared = 16;    // forms whose bounds are worth sharing out
 constexpr std::size_t kUsualForms = 8;    // that are kept: memory for them at once
 constexpr double kConicError = 5e-11;     // model units: of a conic's polynomials
-constexpr double kConicRounding = 16 * 0x1p-53;
+constexpr double kConicRounding = 16 * kUnitRoundoff;
 
 // The blossom at five parameters of the form with these points over [0, 1].
 Vec7 blossom_of(QuinticPoints c, const std::array<double, 5>& parameters) {

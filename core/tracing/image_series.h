@@ -12,6 +12,7 @@
 #include <span>
 
 #include "core/forms/patch.h"
+#include "core/math/roundoff.h"
 #include "core/math/series/power_series.h"
 
 namespace blossom {
@@ -29,7 +30,9 @@ inline constexpr std::size_t kShortSeriesDegree = 10;
 PowerSeries<double> power_series(std::span<const double> points);
 PowerSeries<Vec3> power_series(std::span<const Vec3> points);
 
-constexpr double power_rounding(int degree) { return (degree + 4.0) * (1 << degree) * 0x1p-53; }
+constexpr double power_rounding(int degree) {
+  return (degree + 4.0) * (1 << degree) * kUnitRoundoff;
+}
 
 /// A Bezier form over t in [0, 1] of at most kSeriesDegree, without memory of its own.
 struct SeriesForm {

@@ -11,11 +11,12 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "core/forms/spans/homogeneous.h"
+#include "core/math/roundoff.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kRounding = 16 * 0x1p-53;  // of a height, relative to the coordinates
+constexpr double kRounding = 16 * kUnitRoundoff;  // of a height, relative to the coordinates
 constexpr double kMargin = 0.05;  // of a box's diagonal: so far the rectangle goes beyond it
 
 void add(const Vec3& p, const SectionFrame& frame, Heights& heights) {

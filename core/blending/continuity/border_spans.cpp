@@ -10,6 +10,7 @@
 #include "core/blending/border_rows.h"
 #include "core/blending/continuity/continuity.h"
 #include "core/forms/algebra/de_casteljau.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
@@ -39,7 +40,7 @@ Vec4 rounding_of(const Points& points, bool rational) {
   for (const Vec4& p : points)
     for (int c = 0; c < 4; ++c) largest[c] = std::max(largest[c], std::abs(p[c]));
   const double most = std::max({largest[0], largest[1], largest[2]});
-  const double unit = kRoundings * 0x1p-53;
+  const double unit = kRoundings * kUnitRoundoff;
   return {unit * most, unit * most, unit * most, rational ? unit * largest[3] : 0};
 }
 

@@ -10,6 +10,7 @@
 #include "core/blending/continuity/continuity.h"
 #include "core/blending/strips/border_weights.h"
 #include "core/math/binomial.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
@@ -329,7 +330,7 @@ double strip_gap_bound(const BezierSurface& strip) {
   double size = 0;
   for (const RationalBezierPatch& patch : strip.patches.values())
     size = std::max({size, size_of(column(patch, 0)), size_of(column(patch, patch.degree_v()))});
-  return (24 * first.degree_u() + 32) * 0x1p-53 * size;
+  return (24 * first.degree_u() + 32) * kUnitRoundoff * size;
 }
 
 double border_distance(const Border& a, const Border& b) {

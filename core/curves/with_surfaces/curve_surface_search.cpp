@@ -8,6 +8,7 @@
 #include "core/cells/limits.h"
 #include "core/curves/contact_length.h"
 #include "core/curves/limits.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
@@ -48,7 +49,7 @@ SurfaceTrees::SurfaceTrees(const BezierSurface& surface, const Vec3& origin, Cel
       for (int k = 0; k < 3; ++k) scale = std::max(scale, std::abs(p[k] / p[3]));
   }
   // Weights of each direction carry 3 roundings a degree, sums one a term, the quotient as much.
-  evaluation_margin_ = (8.0 * degree + 16) * 0x1p-53 * scale;
+  evaluation_margin_ = (8.0 * degree + 16) * kUnitRoundoff * scale;
 }
 
 Vec2 SurfaceTrees::parameters(int patch, const Vec2& uv) const {

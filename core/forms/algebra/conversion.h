@@ -13,6 +13,7 @@
 #include "core/forms/curve.h"
 #include "core/forms/patch.h"
 #include "core/forms/triangle.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -77,13 +78,14 @@ constexpr double monomial_growth(int degree_u, int degree_v, Origin origin) {
 /// largest absolute coordinate of the net. Each direction rounds n + 1 times. Degree 0 in v
 /// stands for a curve.
 constexpr double monomial_error(int degree_u, int degree_v, Origin origin) {
-  return (degree_u + degree_v + 3) * monomial_growth(degree_u, degree_v, origin) * 0x1p-53;
+  return (degree_u + degree_v + 3) * monomial_growth(degree_u, degree_v, origin) * kUnitRoundoff;
 }
 
 /// Bound on the error of a coordinate after monomial_form and bezier_form, relative to the
 /// largest of the net. To first order the way back rounds 3n + 4 times in each direction.
 constexpr double round_trip_error(int degree_u, int degree_v, Origin origin) {
-  return (4 * (degree_u + degree_v) + 12) * monomial_growth(degree_u, degree_v, origin) * 0x1p-53;
+  return (4 * (degree_u + degree_v) + 12) * monomial_growth(degree_u, degree_v, origin) *
+         kUnitRoundoff;
 }
 
 /// The same patch with weights of 1.

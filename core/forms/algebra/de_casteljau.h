@@ -12,6 +12,7 @@
 #include "core/forms/curve.h"
 #include "core/forms/patch.h"
 #include "core/forms/triangle.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -55,6 +56,6 @@ PatchDerivatives<Point> derivatives_at(const BezierPatchOf<Point>& patch, double
 
 /// Bound on the error of a coordinate of a point: 3 roundings in each of n levels; a patch has
 /// n + m of them.
-constexpr double de_casteljau_error(int levels) { return (3 * levels + 1) * 0x1p-53; }
+constexpr double de_casteljau_error(int levels) { return (3 * levels + 1) * kUnitRoundoff; }
 
 }  // namespace blossom

@@ -9,6 +9,7 @@
 #include "core/forms/function.h"
 #include "core/forms/triangle.h"
 #include "core/math/grid.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -91,9 +92,11 @@ class TriangleReduction {
 
 /// Bound on the error of a coordinate of an elevated form of this degree, relative to the largest:
 /// a sum of at most degree / 2 + 1 terms, and 13 roundings of the binomials and products.
-constexpr double elevation_error(int degree) { return (0.5 * degree + 14) * 0x1p-53; }
+constexpr double elevation_error(int degree) { return (0.5 * degree + 14) * kUnitRoundoff; }
 
 /// Likewise of a triangle: a product, two sums and a division (as a product) for each degree.
-constexpr double triangle_elevation_error(int from, int to) { return 5 * (to - from) * 0x1p-53; }
+constexpr double triangle_elevation_error(int from, int to) {
+  return 5 * (to - from) * kUnitRoundoff;
+}
 
 }  // namespace blossom

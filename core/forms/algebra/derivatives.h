@@ -8,6 +8,7 @@
 
 #include "core/forms/function.h"
 #include "core/forms/triangle.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -67,11 +68,11 @@ constexpr double derivative_growth(int degree, int order) {
 /// Bound on the error of a coordinate, relative to the largest: a difference and a product for each
 /// order.
 constexpr double derivative_error(int degree, int order) {
-  return 2 * order * derivative_growth(degree, order) * 0x1p-53;
+  return 2 * order * derivative_growth(degree, order) * kUnitRoundoff;
 }
 constexpr double derivative_error(int degree_u, int degree_v, int order_u, int order_v) {
   return 2 * (order_u + order_v) * derivative_growth(degree_u, order_u) *
-         derivative_growth(degree_v, order_v) * 0x1p-53;
+         derivative_growth(degree_v, order_v) * kUnitRoundoff;
 }
 
 /// Bound on the error of a coordinate of a rational derivative, relative to the (r + 1)-th power of
@@ -84,7 +85,7 @@ constexpr double rational_derivative_error(int degree_u, int degree_v, int order
   const int terms = (degree_u + 1) * (degree_v + 1);
   double size = 1;
   for (int k = 1; k <= order; ++k) size *= degree > 0 ? 4.0 * k * degree : 1;
-  return (order * (terms + 17) + (order + 1) * (order + 1) + 13) * size * 0x1p-53;
+  return (order * (terms + 17) + (order + 1) * (order + 1) + 13) * size * kUnitRoundoff;
 }
 
 /// Likewise of a triangle, by the total order: products of up to (n + 1)(n + 2) / 2 terms, and an
@@ -93,7 +94,7 @@ constexpr double rational_triangle_derivative_error(int degree, int order) {
   const int terms = (degree + 1) * (degree + 2) / 2;
   double size = 1;
   for (int k = 1; k <= order; ++k) size *= degree > 0 ? 4.0 * k * degree : 1;
-  return order * (terms + 22) * size * 0x1p-53;
+  return order * (terms + 22) * size * kUnitRoundoff;
 }
 
 }  // namespace blossom

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/forms/function.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 
@@ -47,7 +48,7 @@ BezierFunction2 dot_product(const BezierPatchOf<Point>& f, const BezierPatchOf<P
 /// sum has one term more than that; each term carries the binomials' products (4 and 4), its own
 /// product, and the last division 5.
 constexpr double product_error(int least_u, int least_v) {
-  return ((least_u + 1) * (least_v + 1) + 13) * 0x1p-53;
+  return ((least_u + 1) * (least_v + 1) + 13) * kUnitRoundoff;
 }
 
 }  // namespace blossom

@@ -10,6 +10,7 @@
 #include "core/base/errors.h"
 #include "core/forms/algebra/detail/sign.h"
 #include "core/forms/detail/checks.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
@@ -80,7 +81,7 @@ std::optional<Ratio> below_two(const Ratio& t) {
 // a sum round 3 times a level; one rounding more covers those of the size and of this bound.
 std::optional<int> decided(const Filtered& f, int levels) {
   if (!(f.size > kMinSize && std::isfinite(f.size))) return std::nullopt;
-  const double bound = (4 * levels + 4) * 0x1p-53 * f.size;
+  const double bound = (4 * levels + 4) * kUnitRoundoff * f.size;
   if (std::abs(f.value) > bound) return sign_of(f.value);
   return std::nullopt;
 }

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "core/math/roundoff.h"
 #include "core/papers/detail/q_blossom.h"
 
 namespace blossom::detail {
@@ -23,7 +24,7 @@ inline Step<double> step_error(const QFactors<double>& factors, const Interval& 
       (2 * r + 4) * factors.difference_size(r, interval.from, interval.to) / divisor + 1;
   const auto error = [&](int i, int j, double u, double v) {
     const double count = 2 * std::abs(i - j) + 6 + 2 * std::abs(std::min(i, j) - k);
-    return 0x1p-53 / divisor *
+    return kUnitRoundoff / divisor *
            (count * factors.mixed_difference_size(i, j, k, u, v) +
             std::abs(factors.mixed_difference(i, j, k, u, v)) * divisor_error);
   };
@@ -49,7 +50,7 @@ std::vector<std::vector<double>> evaluation_errors(const std::vector<Point>& poi
       // Inherited; wrong weights; two products and their sum.
       next.push_back(std::abs(alpha) * result[r][k] + std::abs(beta) * result[r][k + 1] +
                      2 * (alpha_error * size_k + beta_error * size_next) +
-                     4 * 0x1p-53 * (std::abs(alpha) * size_k + std::abs(beta) * size_next));
+                     4 * kUnitRoundoff * (std::abs(alpha) * size_k + std::abs(beta) * size_next));
     }
     result.push_back(std::move(next));
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/math/detail/bernstein.h"
+#include "core/math/roundoff.h"
 #include "core/papers/q_numbers.h"
 
 namespace blossom::detail {
@@ -116,7 +117,7 @@ class QFactors {
   bool vanishes(int i, const Scalar& u, const Scalar& v) const {
     const Scalar value = difference(i, u, v);
     if constexpr (std::is_floating_point_v<Scalar>)
-      return std::abs(value) <= (2 * i + 4) * 0x1p-53 * difference_size(i, u, v);
+      return std::abs(value) <= (2 * i + 4) * kUnitRoundoff * difference_size(i, u, v);
     else
       return value == 0;
   }

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "core/math/interval.h"
+#include "core/math/roundoff.h"
 #include "core/math/vec.h"
 #include "core/subdivision/bulk/bulk_matrices.h"
 #include "core/subdivision/growth.h"
@@ -23,19 +24,19 @@ namespace blossom {
 /// the n factors rounds 1 - t, a product and a sum. Monomial: absolute, for cuts in [0, 1], where
 /// no entry is above 1; each factor rounds 2t - 1 and a sum, and 1 / binom(n, i) rounds twice.
 constexpr double bulk_matrix_error(int degree, NetForm form) {
-  return (form == NetForm::Bezier ? 3 * degree : 2 * degree + 2) * 0x1p-53;
+  return (form == NetForm::Bezier ? 3 * degree : 2 * degree + 2) * kUnitRoundoff;
 }
 
 /// Error of a control point by matrices from a Bezier net, relative to `largest`, for pieces
 /// inside the unit square. Each direction: an entry, and n + 1 roundings of its dot product.
 constexpr double bulk_bezier_error(int degree_u, int degree_v) {
-  return (4 * (degree_u + degree_v) + 2) * 0x1p-53;
+  return (4 * (degree_u + degree_v) + 2) * kUnitRoundoff;
 }
 
 /// Error of a control point by matrices from re-centred coefficients, relative to `sum`, for
 /// pieces inside the unit square.
 constexpr double bulk_monomial_error(int degree_u, int degree_v) {
-  return (3 * (degree_u + degree_v) + 6) * 0x1p-53;
+  return (3 * (degree_u + degree_v) + 6) * kUnitRoundoff;
 }
 
 /// Error of a control point by the polar pyramid from re-centred coefficients, relative to `sum`
@@ -43,7 +44,7 @@ constexpr double bulk_monomial_error(int degree_u, int degree_v) {
 /// round 3 times, the first pass 2n times (2 from - 1 included), powers of the width 2n times, the
 /// last pass n times.
 constexpr double bulk_pyramid_error(int degree_u, int degree_v) {
-  return (5 * (degree_u + degree_v) + 6) * 0x1p-53;
+  return (5 * (degree_u + degree_v) + 6) * kUnitRoundoff;
 }
 
 /// |a| + |b - a| for the piece [a, b] in x = 2t - 1: at most 1 where the piece runs away from the
@@ -60,21 +61,21 @@ double pyramid_growth(int degree, const Interval& piece);
 constexpr double bulk_t4_error(int degree_u, int degree_v) {
   const int least = degree_u < degree_v ? degree_u : degree_v;
   const int terms = (least + 1) * (least + 2) / 2;
-  return (4 * (degree_u + degree_v) + terms + 3) * 0x1p-53;
+  return (4 * (degree_u + degree_v) + terms + 3) * kUnitRoundoff;
 }
 
 /// Likewise from re-centred coefficients, relative to `sum`.
 constexpr double bulk_t4_monomial_error(int degree_u, int degree_v) {
   const int least = degree_u < degree_v ? degree_u : degree_v;
   const int terms = (least + 1) * (least + 2) / 2;
-  return (3 * (degree_u + degree_v) + terms + 7) * 0x1p-53;
+  return (3 * (degree_u + degree_v) + terms + 7) * kUnitRoundoff;
 }
 
 /// Error of a triangle's control point by T1 from re-centred coefficients, relative to `sum`
 /// times t1_growth. For each of the N points: the shift rounds 2 times (2c - 1 included), alpha,
 /// rho and delta carry up to 4 roundings each, their powers and passes 5, the last sums 2.
 constexpr double bulk_t1_error(int degree_u, int degree_v) {
-  return (16 * (degree_u + degree_v) + 8) * 0x1p-53;
+  return (16 * (degree_u + degree_v) + 8) * kUnitRoundoff;
 }
 
 /// max(1, X_1)^n max(1, X_2)^m, where X_p bounds parameter p (in x = 2t - 1) over the paths that T1

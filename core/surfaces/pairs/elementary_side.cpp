@@ -7,6 +7,7 @@
 
 #include "core/forms/algebra/derivatives.h"
 #include "core/forms/algebra/products.h"
+#include "core/math/roundoff.h"
 #include "core/math/vec.h"
 #include "core/subdivision/patch_subdivision.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 // Each point of f goes through some ten steps beside the product, whose size is bounded by the
 // squares of the largest coordinate and radius; signed distances of up to twice it are told well.
-constexpr double kSteps = 16 * 0x1p-53;
+constexpr double kSteps = 16 * kUnitRoundoff;
 
 double largest(const BezierFunction2& f) {
   double result = 0;
