@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <queue>
 #include <utility>
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/base/work_limit.h"
 #include "core/distance/convex_pair.h"
 #include "core/distance/curvature_centre.h"
@@ -24,7 +24,6 @@
 namespace blossom {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Distances of points below this, relative to the largest coordinate, are roundings.
 constexpr double kRounding = 64 * kUnitRoundoff;
 constexpr int kHalvingsPerStart = 12;   // of a pair, for Newton's method even without a promise

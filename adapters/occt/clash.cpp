@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include <Bnd_Box.hxx>
@@ -17,11 +16,10 @@
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/queries/depth.h"
 #include "adapters/occt/solid_trim.h"
+#include "core/base/unbounded.h"
 
 namespace blossom::occt {
 namespace {
-
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 Box box_of(const TopoDS_Shape& shape) {
   const Bnd_Box found = bounds_of(shape);
@@ -137,9 +135,9 @@ class ClashSearch {
   }
 
   void look_for_nearest(std::size_t i, const BoxTree& tree) {
-    double best = kEndless;
+    double best = kInfinity;
     std::optional<Clash> nearest;
-    tree.for_each_near(found_.boxes[i], kEndless, [&](int item) {
+    tree.for_each_near(found_.boxes[i], kInfinity, [&](int item) {
       const auto j = static_cast<std::size_t>(item);
       if (j == i || !is_asked(i, j)) return best * best;
       const std::size_t a = std::min(i, j), b = std::max(i, j);
@@ -225,15 +223,15 @@ class ClashSearch {
 
   // A damaged face is no reason to say nothing of all other pairs.
   static Clash not_measured(std::size_t a, std::size_t b, const char* cause) {
-    Clash pair{.a = a, .b = b, .upper = kEndless, .measured = false};
+    Clash pair{.a = a, .b = b, .upper = kInfinity, .measured = false};
     leave_open(std::string("they cannot be measured: ") + cause, pair);
     return pair;
   }
 
   Clash looked_at(std::size_t a, std::size_t b) try {
     if (limit_.is_reached())
-      return {.a = a, .b = b, .status = Status::Stopped, .upper = kEndless, .measured = false};
-    Clash pair = with_distance(a, b, options_.clearance.value_or(kEndless));
+      return {.a = a, .b = b, .status = Status::Stopped, .upper = kInfinity, .measured = false};
+    Clash pair = with_distance(a, b, options_.clearance.value_or(kInfinity));
     relate(pair);
     const bool solids = bodies(a).all().front().is_solid() && bodies(b).all().front().is_solid();
     const bool crosses = pair.relation == Relation::Crossing;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,6 +18,7 @@
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection_edges.h"
+#include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
 #include "core/rays/ray_batches.h"
 #include "core/topology/chart_region.h"
@@ -77,9 +77,9 @@ RayCaster caster_of(const std::vector<TopoDS_Face>& faces, double tolerance,
 
 // What of an edge is near a hit.
 struct NearEdge {
-  double distance = std::numeric_limits<double>::infinity();  // to the edge's image on the face
-  double tolerance = 0;                                       // of the edge
-  TopoDS_Shape shape;  // the edge, or the vertex that is as near
+  double distance = kInfinity;  // to the edge's image on the face
+  double tolerance = 0;         // of the edge
+  TopoDS_Shape shape;           // the edge, or the vertex that is as near
 };
 
 bool is_near(const PlanarBox& box, const Vec2& point, double margin) {

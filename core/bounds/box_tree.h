@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -40,7 +39,7 @@ struct LineProbe {
   Vec3 origin;
   Vec3 inverse;  ///< 1 / direction, by coordinate; infinite where that is 0
   double from = 0;
-  double to = std::numeric_limits<double>::infinity();
+  double to = kInfinity;
 
   LineProbe(const Vec3& start, const Vec3& direction, double first, double last)
       : origin(start), from(first), to(last) {
@@ -145,7 +144,6 @@ inline double LineProbe::entry(const Box& box) const {
     far = high < far ? high : far;
   }
   // Each side's parameter has three roundings. A line outside and along a side leaves before all.
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const bool meets = near <= far || near - 0x1p-50 * (std::abs(near) + std::abs(far)) < far;
   return meets && far > -kInfinity ? near : kInfinity;
 }
@@ -156,11 +154,10 @@ void BoxTree::walk(double bound, Measure measure, Visit visit) const {
     int node;
     double at;
   };
-  constexpr double kNever = std::numeric_limits<double>::infinity();
   std::array<Waiting, kDeepest> stack;
   if (nodes_.empty()) return;
   stack[0] = {0, measure(nodes_.front().box)};
-  for (int top = stack[0].at < kNever ? 1 : 0; top > 0;) {
+  for (int top = stack[0].at < kInfinity ? 1 : 0; top > 0;) {
     const Waiting next = stack[static_cast<std::size_t>(--top)];
     if (next.at > bound) continue;
     const Node& node = nodes_[static_cast<std::size_t>(next.node)];
@@ -172,7 +169,7 @@ void BoxTree::walk(double bound, Measure measure, Visit visit) const {
     Waiting farther{node.right, measure(nodes_[static_cast<std::size_t>(node.right)].box)};
     if (farther.at < nearer.at) std::swap(nearer, farther);
     for (const Waiting& child : {farther, nearer})
-      if (child.at <= bound && child.at < kNever) stack[static_cast<std::size_t>(top++)] = child;
+      if (child.at <= bound && child.at < kInfinity) stack[static_cast<std::size_t>(top++)] = child;
   }
 }
 

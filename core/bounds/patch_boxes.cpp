@@ -5,10 +5,10 @@
 #include <atomic>
 #include <cstddef>
 #include <cstring>
-#include <limits>
 #include <span>
 
 #include "core/base/parallel.h"
+#include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
 #include "core/math/four.h"
 #include "core/math/roundoff.h"
@@ -25,8 +25,7 @@ constexpr double kRounding = 16 * kUnitRoundoff;  // of the coordinates: as much
 
 // All four coordinates at a time, the weights for nothing.
 BLOSSOM_HOT Box polynomial_hull_box(std::span<const Vec4> points) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Four low{kFar, kFar, kFar, kFar}, high = -low;
+  Four low{kInfinity, kInfinity, kInfinity, kInfinity}, high = -low;
   for (const Vec4& p : points) {
     Four x;
     std::memcpy(&x, &p, sizeof x);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/base/unbounded.h"
 #include "core/bounds/interval_pairs.h"
 #include "core/curves/contact_length.h"
 #include "core/curves/overlap_place.h"
@@ -288,7 +288,7 @@ CurvePlace CurveAssembly::place_of(const Candidate& point) const {
 }
 
 void CurveAssembly::write(CurveIntersection& result) const {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const Candidate& point : points_) {
     CurvePoint written{point.foot.jet_a.point, point.at_a,  point.at_b, point.touch,
                        point.proven,           point.box_a, point.box_b};

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/unbounded.h"
 #include "core/bounds/interval_pairs.h"
 #include "core/curves/contact_length.h"
 #include "core/curves/curve_assembly.h"
@@ -263,7 +263,7 @@ CurveAssembly::Candidate CurveAssembly::nearest_in(const CurveOverlap& run, doub
 
 void CurveAssembly::add_run(const CurveContact& contact) {
   CurveOverlap run = trimmed(contact);
-  double run_length = 0, best = 0, least = std::numeric_limits<double>::infinity();
+  double run_length = 0, best = 0, least = kInfinity;
   Vec3 last = a_.jet(a_.place(run.a.from)).point;
   for (int i = 0; i < kSamples; ++i) {
     const double part = static_cast<double>(i) / (kSamples - 1);

@@ -3,16 +3,20 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 
+#include "core/base/unbounded.h"
 #include "core/bounds/interval_pairs.h"
 
 namespace blossom {
 
 CurvePlace overlap_place(const CurveTree& curve, const Interval& at, double gap_high) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  CurvePlace place{
-      PlaceKind::Overlap, {kFar, kFar, kFar}, {-kFar, -kFar, -kFar}, 0, gap_high, at, {}};
+  CurvePlace place{PlaceKind::Overlap,
+                   {kInfinity, kInfinity, kInfinity},
+                   {-kInfinity, -kInfinity, -kInfinity},
+                   0,
+                   gap_high,
+                   at,
+                   {}};
   for (int i = 0; i < curve.spans(); ++i) {
     if (!overlap(curve.curve().spans[static_cast<std::size_t>(i)].place, at)) continue;
     for (int k = 0; k < 3; ++k) {

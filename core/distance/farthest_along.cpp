@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/base/work_limit.h"
 #include "core/distance.h"
 #include "core/distance/distance_parts.h"
@@ -166,7 +166,7 @@ class HeightSearch {
   // The border of a part goes no farther.
   double border_height(int part) const {
     const std::optional<Box> box = parts_.border_box(part);
-    if (!box) return std::numeric_limits<double>::infinity();
+    if (!box) return kInfinity;
     return height_of(*box) + kDistanceRounding * parts_.scale();
   }
   double height_of(const Box& box) const { return sign_ > 0 ? box.high[axis_] : -box.low[axis_]; }
@@ -229,7 +229,7 @@ class HeightSearch {
 
   // Of a cell that a trim cuts the trim is asked about the corner alone that goes farthest.
   void reach_corner(const HeightPlace& cell) {
-    double height = -std::numeric_limits<double>::infinity();
+    double height = -kInfinity;
     Vec2 at;
     for (const bool last_row : {false, true})
       for (const bool last_column : {false, true}) {
@@ -250,9 +250,9 @@ class HeightSearch {
   double sign_;
   double floor_;  // what differences below this are worth, model units
   FarthestResult result_;
-  double left_ = -std::numeric_limits<double>::infinity();  // what was settled goes no farther
+  double left_ = -kInfinity;  // what was settled goes no farther
   // What was left to curves goes no farther, nor farther than they do by more than the gap.
-  double border_upper_ = -std::numeric_limits<double>::infinity();
+  double border_upper_ = -kInfinity;
   double border_gap_ = 0;
   std::vector<char> opened_;       // by part: its border is looked at
   std::vector<HeightPlace> open_;  // a heap

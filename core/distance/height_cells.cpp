@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
+#include "core/base/unbounded.h"
 #include "core/math/value_range.h"
 
 namespace blossom {
 namespace {
-
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 // De Casteljau's triangle at 1/2 over a row of a net: `high` is the row, then its upper half.
 void halve(double* low, double* high, int count, int stride) {
@@ -35,7 +33,7 @@ struct RaisedNet {
 
 // Differences of neighbours in one direction of a net.
 struct HeightSlopes {
-  ValueRange raised{kFar, -kFar}, weights{0, 0};
+  ValueRange raised{kInfinity, -kInfinity}, weights{0, 0};
   double most = 0;
 };
 
@@ -116,7 +114,8 @@ HeightBounds HeightCells::bounds(const HeightNet& net, double wanted,
                                  const std::array<bool, 2>& across, double rounding) const {
   const double* heights = store_.data() + net.at;
   const double* weights = net.rational ? heights + net.size() : nullptr;
-  ValueRange range{kFar, -kFar}, of_weights{net.rational ? kFar : 1, net.rational ? 0.0 : 1.0};
+  ValueRange range{kInfinity, -kInfinity},
+      of_weights{net.rational ? kInfinity : 1, net.rational ? 0.0 : 1.0};
   double largest = 0;
   for (int k = 0; k < net.size(); ++k) {
     const double height = weights ? heights[k] / weights[k] : heights[k];

@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
+#include "core/base/unbounded.h"
 #include "core/cells/net_ranges.h"
 #include "core/math/binomial.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // (2 n + 1) (2 m + 1) < 4 (n + 1) (m + 1)
 constexpr std::size_t kMax = 4 * kMaxSquarePoints;
 

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "core/base/unbounded.h"
 
 namespace blossom {
 namespace {
@@ -91,7 +92,7 @@ double distance_bound(const Elementary& a, const Elementary& b, const Ball& ball
     return flat_cone_bound(a, b, ball);
   if (a.kind == ElementaryKind::Cone && b.kind == ElementaryKind::Plane)
     return flat_cone_bound(b, a, ball);
-  if (a.kind != b.kind) return std::numeric_limits<double>::infinity();
+  if (a.kind != b.kind) return kInfinity;
   const double coordinate = std::max({max_norm(a.centre), max_norm(b.centre), max_norm(ball.centre),
                                       ball.radius, a.radius, a.minor});
   return bound_of_moves(a, b, ball) + kPlacingRounding * coordinate;

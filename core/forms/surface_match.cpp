@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom {
@@ -76,7 +76,7 @@ std::optional<ChartMap> map_between(const BezierSurface& a, const BezierSurface&
 // What the control points of two surfaces differ by.
 struct Difference {
   double points = 0;
-  double least_ratio = std::numeric_limits<double>::infinity();  // of weights
+  double least_ratio = kInfinity;  // of weights
   double most_ratio = 0;
   double coordinate = 0;  // the largest one
   bool same_bits = true;

@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/bounds/box_tree.h"
 #include "core/math/index.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kAskEvery = 1024;  // pieces
 // Of the accuracy: what is beyond a triangle by no more needs no other triangle for its bound.
 constexpr double kNarrow = 0.1;

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/math/index.h"
 #include "core/meshes/open_rings.h"
 #include "core/regions/delaunay/constrained_delaunay.h"
@@ -169,7 +169,7 @@ class LeastAngles {
   }
 
   void choose(std::size_t i, std::size_t j) {
-    Weight least{std::numeric_limits<double>::infinity(), 0};
+    Weight least{kInfinity, 0};
     for (std::size_t m = i + 1; m < j; ++m) {
       const Weight &a = weights_[at(i, m)], &b = weights_[at(m, j)];
       const Vec3 normal = normal_of(point(i), point(m), point(j));
@@ -210,7 +210,7 @@ std::vector<Triangle> cut_ears(std::span<const Vec3> points, std::vector<int>& r
   };
   while (ring.size() > kMaxCompared) {
     std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     for (std::size_t k = 0; k < ring.size(); ++k)
       if (const double turn = sharpness(k); turn < least) {
         least = turn;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/bounds/box_tree.h"
 #include "core/plane/planar_curves.h"
 #include "core/self_intersection.h"
@@ -59,7 +59,7 @@ double tolerance_along(const Border& border, const FaceData& face) {
   const std::size_t n = knots.size();
   const Interval span = border.high ? Interval{knots[n - 2] * scale, knots[n - 1] * scale}
                                     : Interval{knots[0] * scale, knots[1] * scale};
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const auto& loop : face.trims.loops)
     for (const Coedge& coedge : loop) {
       const PlanarBox box = box_of(coedge.curve);

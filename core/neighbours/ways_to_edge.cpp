@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 
+#include "core/base/unbounded.h"
 #include "core/cells/limits.h"
 #include "core/neighbours/coedge_stretch.h"
 #include "core/neighbours/limits.h"
@@ -85,10 +85,9 @@ double FaceCells::depth_behind(const Elementary& surface, const Coedge& edge, do
 
 double FaceCells::found_depth(const Elementary& surface, const Coedge& edge, double tolerance,
                               int patch, int cell) {
-  constexpr double nothing = std::numeric_limits<double>::infinity();
   const PlanarBox box = chart_box(patch, cells_.tree(patch)[cell]);
   const std::optional<CoedgeStretch> stretch = stretch_past(edge, box);
-  if (!stretch) return nothing;
+  if (!stretch) return kInfinity;
   // The line on which they touch may not go on in the face beyond the ends of the edge; a part of
   // the cell as wide as the tolerance is the end. What lies beside it there is behind nothing.
   const int along = stretch->along;
@@ -100,7 +99,7 @@ double FaceCells::found_depth(const Elementary& surface, const Coedge& edge, dou
   before.high[along] = stretch->box.low[along] - end;
   after.low[along] = stretch->box.high[along] + end;
   for (const PlanarBox& beyond : {before, after})
-    if (beyond.low[along] < beyond.high[along] && !is_empty(beyond)) return nothing;
+    if (beyond.low[along] < beyond.high[along] && !is_empty(beyond)) return kInfinity;
   return depth_beside(surface, stretch->box, 1 - along, patch, cell);
 }
 
@@ -112,7 +111,6 @@ double FaceCells::depth_beside(const Elementary& surface, const Vec2& through, i
 // The line has to be on the cell's own patch: what is farther from it is apart otherwise.
 double FaceCells::depth_beside(const Elementary& surface, const PlanarBox& line, int across,
                                int patch, int cell) {
-  constexpr double nothing = std::numeric_limits<double>::infinity();
   const BezierSurface& s = data_.surface;
   const std::array<ParameterLaw, 2> laws{s.u_law, s.v_law};
   const std::array<Interval, 2> spans{cells_.knots_u(patch), cells_.knots_v(patch)};
@@ -121,11 +119,11 @@ double FaceCells::depth_beside(const Elementary& surface, const PlanarBox& line,
   const double scale = data_.trims.scale[across], slack = kEdgeEndRounding * length(spans[k]);
   if (swept.low[across] < (spans[k].from - slack) * scale ||
       swept.high[across] > (spans[k].to + slack) * scale)
-    return nothing;
+    return kInfinity;
   const auto lengthwise = local(laws[1 - k], spans[1 - k], box, 1 - across);
   const auto on_line = local(laws[k], spans[k], line, across);
   const auto whole = local(laws[k], spans[k], swept, across);
-  if (!lengthwise || !on_line || !whole || !side(surface, patch)) return nothing;
+  if (!lengthwise || !on_line || !whole || !side(surface, patch)) return kInfinity;
   return side(surface, patch)->depth(across, *lengthwise, *on_line, *whole) + s.error;
 }
 

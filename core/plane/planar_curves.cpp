@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <string>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/subdivision/cell_nets.h"
 
 namespace blossom {
@@ -237,14 +237,14 @@ PlanarBox box_of(const PlanarCurve& curve) {
 }
 
 PlanarFoot nearest(const PlanarCurve& curve, const Vec2& target) {
-  PlanarFoot best{curve.domain().from, std::numeric_limits<double>::infinity()};
+  PlanarFoot best{curve.domain().from, kInfinity};
   for (const PlanarSpan& span : curve.spans) {
     const PlanarBox box = box_of(span.curve.points);
     Vec2 outside;
     for (int k = 0; k < 2; ++k)
       outside[k] = std::max({0.0, box.low[k] - target[k], target[k] - box.high[k]});
     if (norm(outside) >= best.distance) continue;
-    PlanarFoot local{span.place.from, std::numeric_limits<double>::infinity()};
+    PlanarFoot local{span.place.from, kInfinity};
     for (int i = 0; i <= kFootSamples; ++i) {
       const double parameter = at(span.place, static_cast<double>(i) / kFootSamples);
       const double reached = distance(point_at(curve, parameter), target);

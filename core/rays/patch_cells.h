@@ -10,11 +10,11 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <utility>
 
+#include "core/base/unbounded.h"
 #include "core/bounds/box_tree.h"
 #include "core/cells/cell_tree.h"
 #include "core/rays/flat_cell.h"
@@ -69,11 +69,10 @@ void PatchCells::for_each_along(LineProbe probe, Visit visit) {
     Node* node;
     double at;
   };
-  constexpr double kNever = std::numeric_limits<double>::infinity();
   std::array<Waiting, kDeepest + 2> stack;
   std::size_t top = 0;
   const auto wait = [&](Node& node, double at) {
-    if (at <= probe.to && at < kNever) stack[top++] = {&node, at};
+    if (at <= probe.to && at < kInfinity) stack[top++] = {&node, at};
   };
   wait(root_, probe.entry(root_.box));
   while (top > 0) {

@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include <limits>
-
 #include "core/base/status.h"
+#include "core/base/unbounded.h"
 #include "core/math/vec.h"
 
 namespace blossom {
@@ -15,7 +14,7 @@ struct Ray {
   Vec3 origin;     ///< model units
   Vec3 direction;  ///< of any length but 0
   double from = 0;
-  double to = std::numeric_limits<double>::infinity();
+  double to = kInfinity;
 };
 
 inline Vec3 point_at(const Ray& ray, double parameter) {

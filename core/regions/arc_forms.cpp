@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/forms/algebra/degree.h"
 #include "core/forms/algebra/interpolation.h"
 #include "core/forms/algebra/products.h"
@@ -252,8 +252,7 @@ Vec2 derivative_bounds(const RationalBezierPatch& patch) {
     const Vec4 d = b - a;
     return norm(Vec3{d[0], d[1], d[2]} - middle * d[3]) + radius * std::abs(d[3]);
   };
-  constexpr double kEndless = std::numeric_limits<double>::infinity();
-  if (!(least > 0)) return {kEndless, kEndless};
+  if (!(least > 0)) return {kInfinity, kInfinity};
   Vec2 most;
   for (int i = 0; i < net.rows(); ++i)
     for (int j = 0; j < net.columns(); ++j) {

@@ -2,9 +2,9 @@
 #include "core/regions/triangle_lowering.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 
+#include "core/base/unbounded.h"
 #include "core/math/roundoff.h"
 
 namespace blossom {
@@ -47,7 +47,7 @@ struct LocalPoints {
   // Bound in space of what is off by this much in four coordinates.
   double bound(double error) const {
     const double weight = least_weight - error / radius;
-    if (!(weight > 0)) return std::numeric_limits<double>::infinity();
+    if (!(weight > 0)) return kInfinity;
     return std::numbers::sqrt2 * error / weight + kShiftError * largest;
   }
 
@@ -60,7 +60,7 @@ struct LocalPoints {
   Vec3 centre;
   double radius = 0;
   double largest = 0;
-  double least_weight = std::numeric_limits<double>::infinity();
+  double least_weight = kInfinity;
   RationalBezierTriangle form;
 };
 

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "core/base/unbounded.h"
 
 namespace blossom {
 namespace {
@@ -80,7 +81,7 @@ double ChartProjector::gap(const Vec3& point, const Vec2& uv) const {
 
 double ChartProjector::clearance(const Vec3& point, const Vec2& uv) const {
   const SurfaceJet at = surface_.jet(uv);
-  double inside = std::numeric_limits<double>::infinity();
+  double inside = kInfinity;
   for (int k = 0; k < 2; ++k)
     if (surface_.period[k] == 0)
       inside = std::min({inside, (uv[k] - surface_.low[k]) * norm(k == 0 ? at.du : at.dv),

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+
+#include "core/base/unbounded.h"
 
 namespace blossom {
 namespace {
@@ -32,7 +33,6 @@ struct ScaledMap {
 // their degrees or weights differ.
 double difference(const PlanarBezier& p, const PlanarBezier& q, bool reversed,
                   const ScaledMap& map) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (p.degree() != q.degree()) return kInfinity;
   const auto of_q = [&](std::size_t i) { return q.points[reversed ? q.points.size() - 1 - i : i]; };
   const double factor = of_q(0)[2] / p.points[0][2];

@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <span>
 #include <utility>
 
+#include "core/base/unbounded.h"
 #include "core/plane/even_line.h"
 #include "core/plane/loops.h"
 
@@ -63,7 +63,7 @@ void join(Meeting meeting, FaceTrims& trims) {
                        std::ranges::any_of(meeting.starts, &Coedge::degenerated);
   while (!meeting.ends.empty()) {
     std::size_t best_end = 0, best_start = 0;
-    double nearest_gap = std::numeric_limits<double>::infinity();
+    double nearest_gap = kInfinity;
     for (std::size_t i = 0; i < meeting.ends.size(); ++i)
       for (std::size_t k = 0; k < meeting.starts.size(); ++k) {
         const double gap =
@@ -125,11 +125,10 @@ double farthest_past(const PlanarBezier& piece, const PlanarBox& bounds, double 
 }
 
 double overshoot(PlanarBox bounds, const FaceTrims& trims) {
-  constexpr double kEndless = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 2; ++k) {
     const bool periodic = trims.period[k] > 0;
-    bounds.low[k] = periodic ? -kEndless : trims.scale[k] * bounds.low[k];
-    bounds.high[k] = periodic ? kEndless : trims.scale[k] * bounds.high[k];
+    bounds.low[k] = periodic ? -kInfinity : trims.scale[k] * bounds.low[k];
+    bounds.high[k] = periodic ? kInfinity : trims.scale[k] * bounds.high[k];
   }
   double most = 0;
   for (const auto& loop : trims.loops)
@@ -345,7 +344,7 @@ bool is_inside_by_periods(const FaceTrims& trims, const Vec2& uv) {
   for (int k = 0; k < 2; ++k) {
     const double period = trims.period[k];
     if (period > 0) first[k] += std::ceil((trims.box.low[k] - first[k]) / period) * period;
-    step[k] = period > 0 ? period : std::numeric_limits<double>::infinity();
+    step[k] = period > 0 ? period : kInfinity;
   }
   for (double u = first[0]; u <= trims.box.high[0]; u += step[0])
     for (double v = first[1]; v <= trims.box.high[1]; v += step[1])

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/not_zero.h"
+#include "core/base/unbounded.h"
 #include "core/forms/iso_line.h"
 #include "core/math/functions/quadrature.h"
 #include "core/surfaces/retry/near_origin.h"
@@ -252,7 +253,7 @@ Vec<double, Count> across(const Vec2& from, const Vec2& to, const FaceTrims& tri
 // between is left to the halving of cells.
 std::vector<double> breaks(const PlanarBezier& curve, int y, double scale,
                            const std::vector<double>& knots) {
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  double lowest = kInfinity, highest = -lowest;
   for (const Vec3& p : curve.points) {
     lowest = std::min(lowest, p[y] / (p[2] * scale));
     highest = std::max(highest, p[y] / (p[2] * scale));

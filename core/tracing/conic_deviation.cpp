@@ -5,17 +5,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/math/roundoff.h"
 #include "core/tracing/spline_fit.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kUnknown = kInfinity;
 // Of the coordinates and lengths that a bound is summed from: some fifty roundings in a row.
 constexpr double kLawRounding = 64 * kUnitRoundoff;
 

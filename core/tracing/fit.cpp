@@ -10,6 +10,7 @@
 
 #include "core/base/not_zero.h"
 #include "core/base/parallel.h"
+#include "core/base/unbounded.h"
 #include "core/tracing/conic_fit.h"
 #include "core/tracing/deviation.h"
 #include "core/tracing/sites.h"
@@ -206,7 +207,7 @@ class Fitter {
   IntersectionCurve fitted_curve() {
     IntersectionCurve none;
     none.length = std::numeric_limits<double>::quiet_NaN();
-    none.deviation.a = std::numeric_limits<double>::infinity();
+    none.deviation.a = kInfinity;
     runs_ = smooth_runs(tracer_, a_, b_, wanted_, kSamplingShare, conic(), options_.work);
     if (runs_.empty() ||
         std::any_of(runs_.begin(), runs_.end(), [&](const SmoothRun& run) { return strays(run); }))

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -397,7 +396,7 @@ class Sampler {
 
   double error_of(const QuinticPiece& piece, const Site& start, const Site& stop,
                   std::span<const Probe> probes) const {
-    if (!(length(piece.place) > 0)) return std::numeric_limits<double>::infinity();
+    if (!(length(piece.place) > 0)) return kInfinity;
     const double sine = std::min(start.point.sine, stop.point.sine);
     const double from = conic_ != nullptr ? parameter_at(*conic_, start.point.point) : 0;
     const double apart = tracer_.gap_at(0.5 * (start.station + stop.station));

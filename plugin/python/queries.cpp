@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Questions about points, planes, rays and distances, and about models as they are.
 
-#include <limits>
 #include <memory>
 #include <utility>
 
 #include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "plugin/python/answers.h"
 #include "plugin/reports/blends/continuity.h"
 #include "plugin/reports/models/edges.h"
@@ -68,7 +68,7 @@ Answer cast_ray(const SharedModel& model, const Vec3& from, const Vec3& directio
       .line = line, .first_only = first_only, .tolerance = control.engine.tolerances.point};
   answer.ray.origin = from;
   answer.ray.direction = unit_of(direction, "direction");
-  if (line) answer.ray.from = -std::numeric_limits<double>::infinity();
+  if (line) answer.ray.from = -kInfinity;
   return told(interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
     reports::Input& input = model->repaired_input(watch);

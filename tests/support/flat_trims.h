@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/plane/planar_curves.h"
 #include "core/topology/face_trims.h"
 
@@ -16,11 +16,10 @@ namespace blossom::testing {
 
 /// The plane z = 0, without end, by its coordinates.
 inline SurfaceChart plane_chart() {
-  constexpr double kEndless = std::numeric_limits<double>::infinity();
   return {[](const Vec2& uv) {
             return SurfaceJet{{uv[0], uv[1], 0}, {1, 0, 0}, {0, 1, 0}};
           },
-          {{-kEndless, -kEndless}, {kEndless, kEndless}},
+          {{-kInfinity, -kInfinity}, {kInfinity, kInfinity}},
           {},
           {1, 1}};
 }

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Geom_Surface.hxx>
 
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "core/base/unbounded.h"
 #include "core/results/hermite_curves.h"
 #include "core/tracing/spline_fit.h"
 
@@ -378,7 +378,7 @@ std::optional<IntersectionCurve> FormImages::curve_on(const Interval& part) cons
   std::vector<double> knots;
   for (int i = 0; i <= pieces; ++i) knots.push_back(at(part, static_cast<double>(i) / pieces));
   IntersectionCurve curve;
-  double off = 0, before = std::numeric_limits<double>::infinity();
+  double off = 0, before = kInfinity;
   for (; static_cast<int>(knots.size()) <= kMaxPieces + 1; before = off) {
     curve = fitted(charts, knots);
     curve.deviation = {0, 0, 0, false, 0};

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include <BRep_Tool.hxx>
@@ -21,6 +20,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curve_breaks.h"
+#include "core/base/unbounded.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -38,8 +38,7 @@ constexpr std::array kAlong{
 constexpr std::array kAcross{Node{0.1127016653792583, 5.0 / 18}, Node{0.5, 8.0 / 18},
                              Node{0.8872983346207417, 5.0 / 18}};
 
-constexpr Interval kEverywhere{-std::numeric_limits<double>::infinity(),
-                               std::numeric_limits<double>::infinity()};
+constexpr Interval kEverywhere{-kInfinity, kInfinity};
 
 // An edge of the forward face: its curve and its image on the surface, at the same parameters.
 class Strip {

@@ -2,7 +2,6 @@
 #include "adapters/occt/faces/face_data.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 
 #include <BRep_Tool.hxx>
@@ -15,6 +14,7 @@
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/faces/swept_faces.h"
+#include "core/base/unbounded.h"
 
 namespace blossom::occt {
 namespace {
@@ -67,10 +67,9 @@ BezierSurface surface_of(const TopoDS_Face& face, ParameterBox box, Extent exten
     const ParameterBox own = box;
     Interval u, v;
     surface->Bounds(u.from, u.to, v.from, v.to);
-    const double endless = std::numeric_limits<double>::infinity();
     const bool in_u = surface->IsUPeriodic(), in_v = surface->IsVPeriodic();
-    box.u = wider(box.u, in_u ? Interval{-endless, endless} : u, in_u ? surface->UPeriod() : 0);
-    box.v = wider(box.v, in_v ? Interval{-endless, endless} : v, in_v ? surface->VPeriod() : 0);
+    box.u = wider(box.u, in_u ? Interval{-kInfinity, kInfinity} : u, in_u ? surface->UPeriod() : 0);
+    box.v = wider(box.v, in_v ? Interval{-kInfinity, kInfinity} : v, in_v ? surface->VPeriod() : 0);
     trims.natural =
         trims.natural && length(box.u) == length(own.u) && length(box.v) == length(own.v);
   }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom::occt {
@@ -14,8 +14,7 @@ namespace {
 
 using Range = std::array<Interval, 2>;  // of u and v
 
-constexpr Interval kAll{-std::numeric_limits<double>::infinity(),
-                        std::numeric_limits<double>::infinity()};
+constexpr Interval kAll{-kInfinity, kInfinity};
 
 // Whether a line between two spans of an arc goes through a box of parameters.
 bool holds_arc_line(const BezierSurface& surface, const Range& box) {

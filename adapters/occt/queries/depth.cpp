@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 #include <map>
 #include <optional>
 #include <queue>
@@ -17,12 +16,13 @@
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/feet_on_face.h"
 #include "adapters/occt/queries/solid_rays.h"
+#include "core/base/unbounded.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kNotKnown = std::numeric_limits<double>::infinity();
+constexpr double kNotKnown = kInfinity;
 constexpr double kAddedPart = 0.1;
 constexpr int kWireHalvings = 20;   // as deep as cells of a patch go within kDepthCells
 constexpr long kProofPairs = 1000;  // of cells; halving the cell is cheaper than more of them

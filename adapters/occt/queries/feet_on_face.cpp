@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -15,14 +14,13 @@
 #include <gp_Sphere.hxx>
 
 #include "adapters/occt/convert/curves.h"
+#include "core/base/unbounded.h"
 #include "core/math/binomial.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 // A homogeneous point in the frame of the surface.
 Vec4 in_frame(const gp_Ax3& frame, const Vec4& p) {
   const gp_XYZ& o = frame.Location().XYZ();
@@ -59,7 +57,7 @@ Interval squared_norms(const Net& net, int coordinates) {
           const double by = factor(n, i, k) * factor(m, j, l);
           sums(i + k, j + l) = sums(i + k, j + l) + Vec2{by * dot, by * p[3] * q[3]};
         }
-  Interval range{kInfinite, -kInfinite};
+  Interval range{kInfinity, -kInfinity};
   for (const Vec2& sum : sums.values()) {
     range.from = std::min(range.from, sum[0] / sum[1]);
     range.to = std::max(range.to, sum[0] / sum[1]);
@@ -70,7 +68,7 @@ Interval squared_norms(const Net& net, int coordinates) {
 // The range of a function of the control points.
 template <class Value>
 Interval range_of(const Net& net, Value value) {
-  Interval range{kInfinite, -kInfinite};
+  Interval range{kInfinity, -kInfinity};
   for (const Vec4& p : net.values()) {
     const double at = value(p);
     range.from = std::min(range.from, at);
@@ -139,7 +137,7 @@ std::optional<double> FeetOnFace::farthest_in_plane(const TopoDS_Face& face, con
   if (kind_ == ElementaryKind::Cylinder && axis_meets(face, piece)) return {};
   const TrimShapes shapes = trim_shapes(face);
   double most = 0;
-  Range feet{Interval{kInfinite, -kInfinite}, Interval{kInfinite, -kInfinite}};
+  Range feet{Interval{kInfinity, -kInfinity}, Interval{kInfinity, -kInfinity}};
   for (const auto& loop : piece.loops)
     for (const Coedge& coedge : loop) {
       const CurveSpans curve = bezier_spans(shapes.edge(coedge), within);

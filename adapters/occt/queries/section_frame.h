@@ -3,11 +3,10 @@
 
 #pragma once
 
-#include <limits>
-
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/plane_section.h"
+#include "core/base/unbounded.h"
 #include "core/bounds/box_tree.h"
 #include "core/distance.h"
 #include "core/forms/curve_spans.h"
@@ -47,8 +46,8 @@ class SectionFrame {
 
 /// The heights of control points: what is in their hull lies between them.
 struct Heights {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
+  double low = kInfinity;
+  double high = -kInfinity;
   double margin = 0;  ///< roundings, and the error of the form
   Box box;            ///< of the points
 

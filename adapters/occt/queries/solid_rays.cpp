@@ -2,15 +2,13 @@
 #include "adapters/occt/queries/solid_rays.h"
 
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "adapters/occt/faces/face_list.h"
+#include "core/base/unbounded.h"
 
 namespace blossom::occt {
 namespace {
-
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 // A hit beside an edge of two faces may be one of each of them, so no edge is to be near. Away from
 // edges a surface and one that stands for it are met as often as each other, but for pairs of hits.
@@ -53,7 +51,7 @@ bool SolidRays::for_each_hit(const Ray& ray, RayMeans means, Found found) {
     certain = certain && hits.has_value();
     if (hits)
       for (const ElementaryFace::Hit& hit : *hits) found(hit);
-    return certain ? kEndless : -kEndless;
+    return certain ? kInfinity : -kInfinity;
   });
   return certain;
 }
@@ -79,12 +77,12 @@ std::optional<bool> SolidRays::is_inside(const Vec3& point) {
 }
 
 std::optional<bool> SolidRays::leaves(const Vec3& point, const Vec3& direction) {
-  ElementaryFace::Hit last{-kEndless, {}};
-  const bool certain = for_each_hit({point, direction, -kEndless, kEndless}, RayMeans::All,
+  ElementaryFace::Hit last{-kInfinity, {}};
+  const bool certain = for_each_hit({point, direction, -kInfinity, kInfinity}, RayMeans::All,
                                     [&](const ElementaryFace::Hit& hit) {
                                       if (hit.parameter > last.parameter) last = hit;
                                     });
-  if (!certain || last.parameter == -kEndless) return std::nullopt;
+  if (!certain || last.parameter == -kInfinity) return std::nullopt;
   return dot(last.normal, direction) > 0;
 }
 

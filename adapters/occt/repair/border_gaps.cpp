@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -23,6 +22,7 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "core/base/disjoint_sets.h"
+#include "core/base/unbounded.h"
 #include "core/bounds/box_tree.h"
 
 namespace blossom::occt {
@@ -99,7 +99,7 @@ std::vector<std::pair<TopoDS_Edge, std::size_t>> edges_used_once(
 }
 
 double bound_of(const std::vector<LooseCurve>& curves) {
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest = kInfinity;
   for (const LooseCurve& curve : curves)
     if (curve.length > 2 * curve.tolerance) shortest = std::min(shortest, curve.length);
   return std::isinf(shortest) ? 0 : kWidest * shortest;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -17,6 +16,7 @@
 
 #include "adapters/occt/convert/curve_breaks.h"
 #include "adapters/occt/convert/edge_charts.h"
+#include "core/base/unbounded.h"
 #include "core/math/functions/golden_section.h"
 #include "core/math/interval.h"
 
@@ -30,8 +30,6 @@ constexpr int kMinSamplesOfArcs = 16;  // of sines and cosines once and twice a 
 constexpr double kStraight = 1e-9;     // sine: a line in the chart that runs along a direction
 constexpr double kRefined = 1e-8;      // of the distance of two samples: where a gap is largest
 constexpr int kNewtonSteps = 8;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 double finite_or_infinite(double length) { return std::isfinite(length) ? length : kInfinity; }
 
 // The curves of an edge on a face; `place` is the range of the pcurve, `range` that of the other.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <optional>
 
 #include <BRep_Tool.hxx>
@@ -20,6 +19,7 @@
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/soundness.h"
+#include "core/base/unbounded.h"
 #include "core/plane/loops.h"
 
 namespace blossom::occt {
@@ -48,7 +48,7 @@ bool are_disjoint(const PlanarBox& a, const PlanarBox& b, double margin) {
 // The nearest corner that joins the two, or infinitely far.
 double from_common_corner(const FaceTrims& trims, const Coedge& a, const Coedge& b,
                           const Vec2& point) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const int corner : {a.from, a.to})
     if (corner == b.from || corner == b.to)
       least = std::min(least, distance(trims.corners[static_cast<std::size_t>(corner)], point));

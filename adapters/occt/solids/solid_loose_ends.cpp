@@ -2,7 +2,6 @@
 #include "adapters/occt/solids/solid_loose_ends.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -16,6 +15,7 @@
 
 #include "adapters/occt/convert/hulls.h"
 #include "core/base/tolerances.h"
+#include "core/base/unbounded.h"
 
 namespace blossom::occt {
 namespace {
@@ -24,7 +24,7 @@ constexpr double kOneEnd = 10;  // tolerances of points and edges: what is so ne
 
 struct NearestEdge {
   TopoDS_Edge edge;
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = kInfinity;
 };
 
 double reach_of(const TopoDS_Edge& edge) {

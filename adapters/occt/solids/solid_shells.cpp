@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -33,6 +32,7 @@
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/trim_sides.h"
 #include "core/base/disjoint_sets.h"
+#include "core/base/unbounded.h"
 
 namespace blossom::occt {
 namespace {
@@ -322,7 +322,7 @@ std::size_t around(const Shell& hollow, const std::vector<Shell>& shells) {
   const auto point =
       point_inside(TopoDS::Face(TopExp_Explorer(hollow.shape, TopAbs_FACE).Current()));
   std::size_t best = shells.size();
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (std::size_t i = 0; point && i < shells.size(); ++i) {
     if (shells[i].volume <= -hollow.volume || shells[i].volume >= least) continue;
     const std::optional<bool> inside = holds(shells[i].shape, *point);

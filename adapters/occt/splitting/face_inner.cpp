@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -17,6 +16,7 @@
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/face_splitter.h"
+#include "core/base/unbounded.h"
 #include "core/plane/limits.h"
 
 namespace blossom::occt {
@@ -64,7 +64,7 @@ TopoDS_Vertex FaceSplitter::shape_of(const Vertex& of) const {
 // Of the vertices that stand for a shape, as on both sides of a seam, the nearest; -1 if none does.
 int FaceSplitter::vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point) const {
   int nearest = -1;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   const auto consider = [&](int vertex) {
     const double gap = distance(vertices_[static_cast<std::size_t>(vertex)].point, point);
     if (gap >= least) return;

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <set>
 
@@ -16,6 +15,7 @@
 
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/splitting/limits.h"
+#include "core/base/unbounded.h"
 #include "core/plane/cut_crossings.h"
 #include "core/plane/limits.h"
 
@@ -275,7 +275,7 @@ void FaceSplitter::add_end_stop(LiftedCut& lifted_cut, double end) {
   if (has_stop(lifted_cut, end)) return;
   const Vec2 point = point_at(lifted_cut.curve, end);
   TrimMeeting nearest_meeting;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
       const Coedge& of = trims_.loops[loop][i];

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include <BRep_Tool.hxx>
 
 #include "adapters/occt/splitting/face_splitter.h"
+#include "core/base/unbounded.h"
 #include "core/plane/limits.h"
 
 namespace blossom::occt {
@@ -45,7 +45,7 @@ std::vector<CutStop> FaceSplitter::stops(int cut) const {
 int FaceSplitter::stop_near(const LiftedCut& lifted_cut, double parameter, double reach) const {
   const Vec2 point = point_at(lifted_cut.curve, parameter);
   int nearest = -1;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (std::size_t i = 0; i < lifted_cut.stops.size(); ++i) {
     const double own = lifted_cut.stops[i].first;
     const double gap = distance(point_at(lifted_cut.curve, own), point);

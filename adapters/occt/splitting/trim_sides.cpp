@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -26,6 +25,7 @@
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "core/base/unbounded.h"
 
 namespace blossom::occt {
 namespace {
@@ -145,8 +145,7 @@ double cosine_at(const TopoDS_Face& face, const ShapePoint& nearest, const gp_Pn
 // By the nearest point; where faces are equally near (at their common edge) by the one whose
 // normal is the most decided. Unknown if a face whose distance is not settled may be nearer.
 ToolSide side_of_faces(const std::vector<TopoDS_Face>& faces, const gp_Pnt& point) {
-  constexpr double kEndless = std::numeric_limits<double>::infinity();
-  double least = kEndless, decided = 0, least_open = kEndless;
+  double least = kInfinity, decided = 0, least_open = kInfinity;
   for (const TopoDS_Face& face : faces) {
     const auto found = nearest_on(face, point);
     if (found && !is_settled(*found)) least_open = std::min(least_open, found->lower);

@@ -2,7 +2,6 @@
 #include "adapters/occt/wires/exact_meeting.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include <BRep_Tool.hxx>
@@ -13,6 +12,7 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
+#include "core/base/unbounded.h"
 
 namespace blossom::occt {
 namespace {
@@ -35,7 +35,7 @@ bool holds_along(const Interval& stretch, double within, const Gap& gap) {
 
 // The distance from the edges and corners of a face.
 double border_distance(const TopoDS_Face& face, const gp_Pnt& point) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
     if (!BRep_Tool::Degenerated(edge))

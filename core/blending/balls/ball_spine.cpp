@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/base/unbounded.h"
 #include "core/forms/algebra/interpolation.h"
 #include "core/math/functions/golden_section.h"
 #include "core/math/functions/sign_change.h"
@@ -193,7 +194,7 @@ double parabolic_least(const Function& f, const Interval& range, double place) {
 
 // Looks for the least factor near the nodes that have the least ones.
 BallPinch tightest_of(const BallTrack& track) {
-  BallPinch pinch{track.domain().from, 0, 1e300};
+  BallPinch pinch{track.domain().from, 0, kUnbounded};
   const auto& nodes = track.nodes();
   for (const std::size_t k : {0U, 1U}) {
     const auto about = [&](double p) { return least_factor(track.bend_near(k, p)); };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/blending/balls/chart_cell.h"
 #include "core/blending/balls/detail/analytic_strip.h"
 #include "core/blending/balls/detail/row_spline.h"
@@ -399,11 +400,10 @@ void prove_gap(const BezierSurface& surface, StripContactCurve& contact) {
   IntersectionCurve curve;
   curve.curve = contact.row;
   curve.chart_a = contact.chart;
-  const std::array<const std::vector<double>*, 2> knots{&surface.u_knots, &surface.v_knots};
   for (int d = 0; d < 2; ++d) {
-    const double first = knots[static_cast<std::size_t>(d)]->front(),
-                 last = knots[static_cast<std::size_t>(d)]->back();
-    double low = 1e300, high = -1e300;
+    const std::vector<double>& knots = d == 0 ? surface.u_knots : surface.v_knots;
+    const double first = knots.front(), last = knots.back();
+    double low = kUnbounded, high = -kUnbounded;
     for (const Vec2& p : contact.chart.points)
       low = std::min(low, p[d]), high = std::max(high, p[d]);
     if (d == 0 ? surface.closed_u : surface.closed_v) {

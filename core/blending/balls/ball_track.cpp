@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/blending/balls/detail/ball_equations.h"
 #include "core/blending/balls/detail/ball_tracer.h"
 #include "core/tracing/spline_fit.h"
@@ -214,7 +215,7 @@ BallTrack BallTrack::cut_open(double parameter) const {
 }
 
 double BallTrack::nearest(const Vec3& centre, const Interval& part) const {
-  double low = part.from, high = part.to, p = blossom::at(part, 0.5), least = 1e300;
+  double low = part.from, high = part.to, p = blossom::at(part, 0.5), least = kUnbounded;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const double node = nodes_[i].parameter;
     if (node < part.from || node > part.to) continue;

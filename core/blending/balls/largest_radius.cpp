@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/blending/balls/ball_spine.h"
 #include "core/blending/balls/detail/ball_equations.h"
 #include "core/math/functions/golden_section.h"
@@ -128,7 +128,7 @@ double place_of_least(const BallTrack& track, const Function& f) {
   std::sort(parameters.begin(), parameters.end());
   parameters.erase(std::unique(parameters.begin(), parameters.end()), parameters.end());
   std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double value = f(track.at(parameters[i]));
     if (value < least) least = value, best = i;
@@ -226,7 +226,7 @@ std::optional<Vec5> RadiusSearch::solved(const Candidate& c, Vec5 y) const {
   const BallSystem ball = system(y[4]);
   const Vec4& e = ball.extents();
   const Vec5 scale{e[0], e[1], e[2], e[3], y[4]};
-  double last = 1e300;
+  double last = kUnbounded;
   for (int step = 0; step < kNewtonSteps; ++step) {
     const auto f = residual(c, y);
     if (!f) return std::nullopt;

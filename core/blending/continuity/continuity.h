@@ -19,11 +19,11 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/blending/surface_side.h"
 #include "core/forms/curve_spans.h"
 #include "core/forms/evaluation.h"
@@ -105,10 +105,10 @@ EdgeSides edge_sides(BorderSpans spans);
 
 /// Upper bounds; infinite where there is none, as where a surface has no tangent plane.
 struct ContinuityBounds {
-  double gap = std::numeric_limits<double>::infinity();
-  double angle = std::numeric_limits<double>::infinity();
-  double difference = std::numeric_limits<double>::infinity();
-  double curvature = std::numeric_limits<double>::infinity();
+  double gap = kInfinity;
+  double angle = kInfinity;
+  double difference = kInfinity;
+  double curvature = kInfinity;
 };
 
 /// The same figures bounded, at equal parameters of the edge. Pieces of it are halved until the

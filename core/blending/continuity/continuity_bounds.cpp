@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/blending/continuity/continuity.h"
 #include "core/blending/continuity/edge_frame.h"
 #include "core/math/binomial.h"
@@ -189,7 +190,7 @@ PieceFigures compared(const EdgeFrame<TaylorModel>& a, const EdgeFrame<TaylorMod
                       {gap.most, angle_of_chord(chord.most), by.most, by.most / least}};
   for (double& bound : result.bounds) {
     bound *= kUpwards;
-    if (std::isnan(bound)) bound = std::numeric_limits<double>::infinity();
+    if (std::isnan(bound)) bound = kInfinity;
   }
   return result;
 }
@@ -259,7 +260,7 @@ class Bounds {
     std::vector<PieceFigures> whole;
     for (const Piece& piece : pieces) whole.push_back(look(piece));
     BoundFigures none;
-    none.fill(std::numeric_limits<double>::infinity());
+    none.fill(kInfinity);
     for (std::size_t i = 0; i < pieces.size(); ++i) add(pieces[i], whole[i].bounds, none, 0);
   }
 

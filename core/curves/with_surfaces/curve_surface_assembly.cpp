@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "core/base/unbounded.h"
 #include "core/curves/contact_length.h"
 #include "core/curves/overlap_place.h"
 
@@ -234,7 +234,7 @@ CurveSurfaceAssembly::Candidate CurveSurfaceAssembly::nearest(
     double parameter, const std::vector<CurveSurfaceContact>& pieces) const {
   const SpanPoint t = curve_.place(parameter);
   const Vec3 point = curve_.jet(t).point;
-  SurfaceFoot best{0, {}, std::numeric_limits<double>::infinity()};
+  SurfaceFoot best{0, {}, kInfinity};
   for (const CurveSurfaceContact& piece : pieces) {
     if (piece.span != t.span || t.t < piece.t.from || t.t > piece.t.to) continue;
     const Vec2 start{at(piece.u, 0.5), at(piece.v, 0.5)};
@@ -402,7 +402,7 @@ CurvePlace CurveSurfaceAssembly::place_of(const Candidate& point) const {
 }
 
 void CurveSurfaceAssembly::write(CurveSurfaceIntersection& result) const {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const Candidate& point : points_) {
     result.points.push_back(
         {point.on_curve.point, point.parameter, trees_.parameters(point.patch, point.uv),

@@ -3,21 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/base/unbounded.h"
 #include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
 
 constexpr std::size_t kTerms = TaylorModel::kDegree + 1;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 /// A bound is a sum of at most kTerms^2 positive products and a few more: its own roundings are
 /// below 600 units, 2^-43.
 constexpr double kOfBounds = 1 + 0x1p-43;
 
-double finite_or_infinite(double bound) { return std::isfinite(bound) ? bound : kInfinite; }
+double finite_or_infinite(double bound) { return std::isfinite(bound) ? bound : kInfinity; }
 
 double terms_sum(const TaylorModel& f, std::size_t first = 0) {
   double sum = 0;
@@ -76,7 +74,7 @@ TaylorModel reciprocal(const TaylorModel& f) {
     r.terms[k] = -sum * r.terms[0];
   }
   const double defect = size_bound(TaylorModel(1) - f * r);
-  r.rest = defect < 0.5 ? kOfBounds * size_bound(r) * defect / (1 - defect) : kInfinite;
+  r.rest = defect < 0.5 ? kOfBounds * size_bound(r) * defect / (1 - defect) : kInfinity;
   return r;
 }
 
@@ -92,7 +90,7 @@ TaylorModel sqrt(const TaylorModel& f) {
   const double defect = size_bound(f - s * s);
   const double least = (s.terms[0] - change_bound(s)) / kOfBounds;
   const bool positive = least > 0 && defect < least * least / 2;
-  s.rest = positive ? kOfBounds * defect / least : kInfinite;
+  s.rest = positive ? kOfBounds * defect / least : kInfinity;
   return s;
 }
 

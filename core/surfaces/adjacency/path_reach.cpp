@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "core/base/unbounded.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::infinity();
 constexpr double kCosineSlack = 1e-12;  // of cosines, for roundings
 
 // Least cosines over the corners: vectors at no larger angle than that make a convex cone.
@@ -43,7 +43,7 @@ double path_reach(std::span<const VectorBounds> across, std::span<const Vec3> al
     m = m + unit(x - mean * dot(mean, x));
   }
   m = unit(m);
-  if (!(norm(m) > 0.5)) return kNothing;
+  if (!(norm(m) > 0.5)) return kInfinity;
   const Cosines c = least_cosines(m, mean, across);
   // Multiples of unit vectors that are this near their mean add up to no less than this part.
   double largest = 0, kept = 1;
@@ -51,10 +51,10 @@ double path_reach(std::span<const VectorBounds> across, std::span<const Vec3> al
     largest = std::max(largest, std::abs(dot(m, unit(x))) + kCosineSlack);
     kept = std::min(kept, dot(mean, unit(x)) - kCosineSlack);
   }
-  if (!(kept > 0 && c.whole > 0)) return kNothing;
+  if (!(kept > 0 && c.whole > 0)) return kInfinity;
   const double s = largest / kept, t = std::sqrt(std::max(0.0, 1 - kept * kept)) / kept;
   const double room = c.seen - s / c.whole;
-  return room > 0 ? (1 + s) / room * (1 + t / c.whole) : kNothing;
+  return room > 0 ? (1 + s) / room * (1 + t / c.whole) : kInfinity;
 }
 
 }  // namespace blossom

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/base/unbounded.h"
 #include "core/forms/algebra/derivatives.h"
 #include "core/forms/algebra/products.h"
 #include "core/math/roundoff.h"
@@ -71,7 +71,7 @@ std::optional<ElementarySide> ElementarySide::of(const Elementary& surface,
   if (!flat && !round) return std::nullopt;
   const int degree = std::max(patch.degree_u(), patch.degree_v());
   if ((flat ? 1 : 2) * degree > kMaxDegree) return std::nullopt;
-  double least = std::numeric_limits<double>::infinity(), heaviest = 0;
+  double least = kInfinity, heaviest = 0;
   for (const Vec4& p : patch.points.values()) {
     least = std::min(least, p[3]);
     heaviest = std::max(heaviest, p[3]);
@@ -113,7 +113,7 @@ double ElementarySide::depth(int across, const Interval& along, const Interval& 
   const BezierFunction2 bend = on(second_[k], whole);
   const auto [low, high] = std::ranges::minmax(bend.points.values());
   const double least = std::max(low, -high) - rounding_[2];
-  if (!(least > 0)) return std::numeric_limits<double>::infinity();
+  if (!(least > 0)) return kInfinity;
   const double value = largest(on(value_, line)) + rounding_[0];
   const double slope = largest(on(first_[k], line)) + rounding_[1];
   // Twice: a signed distance of -d has the value -d + d^2 / 2r, no less than half of it.

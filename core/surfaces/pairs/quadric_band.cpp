@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "core/base/unbounded.h"
 #include "core/math/binomial.h"
 #include "core/math/roundoff.h"
 
@@ -148,7 +148,7 @@ bool QuadricBand::holds_tightly(const CellTree& other) const {
 }
 
 double QuadricBand::spread_over(const Cell& cell, const NetShape& shape) const {
-  if (shape.plane_size() > kMaxPoints) return std::numeric_limits<double>::infinity();
+  if (shape.plane_size() > kMaxPoints) return kInfinity;
   return (off_ + largest_over(cell, shape)) / tolerance_;
 }
 
@@ -158,7 +158,7 @@ bool QuadricBand::is_steep_in(const Cell& cell, const NetShape& shape, double pa
   if (part <= kSteep || shape.plane_size() > kMaxPoints) return false;
   const Quadric square = square_of_slope(quadric_);
   const CellForm2 form = form_of(square, cell, shape);
-  double least = std::numeric_limits<double>::infinity(), most = 0;
+  double least = kInfinity, most = 0;
   for (int k = 0; k < form.rows * form.columns; ++k) {
     const auto at = static_cast<std::size_t>(k);
     least = std::min(least, form.value[at] / form.weight[at]);

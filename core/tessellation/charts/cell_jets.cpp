@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "core/base/unbounded.h"
@@ -54,8 +53,7 @@ NetRange derivative_range(const Grid<Vec4>& net) {
   const auto width = static_cast<std::size_t>(net.columns());
   // To the next point in the direction of a derivative.
   const std::size_t step = order_u > 0 ? width : 1;
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  Vec4 low{kNone, kNone, kNone, kNone}, high = -1.0 * low;
+  Vec4 low{kInfinity, kInfinity, kInfinity, kInfinity}, high = -1.0 * low;
   for (int i = 0; i < rows; ++i) {
     const Vec4* at = net.values().data() + static_cast<std::size_t>(i) * width;
     for (int j = 0; j < columns; ++j, ++at)

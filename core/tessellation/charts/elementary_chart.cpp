@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/base/unbounded.h"
+
 namespace blossom {
 namespace {
 
@@ -63,7 +65,7 @@ Vec3 outwards(const ElementaryChart& chart, const Vec2& uv) {
 }
 
 double cone_distance(const ElementaryChart& chart, const std::array<Vec2, 3>& corners) {
-  double low = std::numeric_limits<double>::infinity(), high = -low, largest = 0;
+  double low = kInfinity, high = -low, largest = 0;
   std::array<double, 3> radius;
   for (std::size_t i = 0; i < 3; ++i) {
     radius[i] = std::abs(cone_radius(chart, corners[i][1]));

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/math/index.h"
 #include "core/tessellation/charts/cell_jets.h"
 
@@ -41,8 +41,7 @@ double uneven_weights(const RationalBezierPatch& patch, const Column& border) {
 // 2 e R / (1 - e).
 double distance_to(const RationalBezierPatch& patch, const Column& border) {
   const double uneven = uneven_weights(patch, border);
-  if (border.size() != index(patch.points.rows()) || !(uneven < 1))
-    return std::numeric_limits<double>::infinity();
+  if (border.size() != index(patch.points.rows()) || !(uneven < 1)) return kInfinity;
   double most = 0, size = 0;
   for (int i = 0; i < patch.points.rows(); ++i)
     for (int j = 0; j < patch.points.columns(); ++j) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -259,7 +258,7 @@ Vec3 in_space(const FaceTrims& trims, const Vec2& point) {
 
 // What no point of a coedge is nearer than, in the chart.
 double least_distance(const Coedge& coedge, const Vec2& point) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (const PlanarBox& box : coedge.boxes) {
     Vec2 past;
     for (int k = 0; k < 2; ++k)
@@ -272,7 +271,7 @@ double least_distance(const Coedge& coedge, const Vec2& point) {
 // The place of a wire that is nearest in the chart. Coedges are looked at only where their boxes
 // come nearer than what is known: first the one whose boxes come nearest.
 Vec2 foot_on_wires(const FaceTrims& trims, const Vec2& point) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   Vec2 foot = point;
   const auto look_at = [&](const Coedge& coedge) {
     const PlanarFoot near = nearest(coedge.curve, point);
@@ -281,7 +280,7 @@ Vec2 foot_on_wires(const FaceTrims& trims, const Vec2& point) {
     foot = point_at(coedge.curve, near.parameter);
   };
   const Coedge* first = nullptr;
-  double bound = std::numeric_limits<double>::infinity();
+  double bound = kInfinity;
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop)
       if (const double of = least_distance(coedge, point); of < bound) {
@@ -374,7 +373,7 @@ std::optional<double> distance_along_wires(const FaceTrims& trims, const Spline2
 }
 
 double distance_outwards(const FaceTrims& trims, const Vec2& uv) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   PlanarBox point{{uv[0] * trims.scale[0], uv[1] * trims.scale[1]}, {}};
   point.high = point.low;
   if (part_side(trims, {uv[0], uv[0]}, {uv[1], uv[1]}) == PartSide::Inside) return 0;

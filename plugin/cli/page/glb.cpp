@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "plugin/cli/output/output.h"
 
 namespace blossom::cli {
@@ -34,7 +34,7 @@ class Glb {
   // Points and, for triangles, normals.
   int add_vectors(const std::vector<Vec3>& vectors, double scale) {
     std::vector<float> values;
-    Vec3 low = Vec3{1, 1, 1} * std::numeric_limits<double>::infinity(), high = -low;
+    Vec3 low = Vec3{1, 1, 1} * kInfinity, high = -low;
     for (const Vec3& v : vectors) {
       const Vec3 turned = Vec3{v[0], v[2], -v[1]} * scale;  // z upwards to y upwards
       for (int k = 0; k < 3; ++k) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "adapters/occt/base/errors.h"
+#include "core/base/unbounded.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/page/base64.h"
 #include "plugin/cli/page/viewer_files.h"
@@ -31,8 +32,8 @@ std::string packed(const std::vector<T>& values) {
 
 // What a scene fills.
 struct SceneBox {
-  Vec3 low = Vec3{1, 1, 1} * std::numeric_limits<double>::infinity();
-  Vec3 high = Vec3{1, 1, 1} * -std::numeric_limits<double>::infinity();
+  Vec3 low = Vec3{1, 1, 1} * kInfinity;
+  Vec3 high = Vec3{1, 1, 1} * -kInfinity;
 
   void add(const Vec3& p) {
     for (int k = 0; k < 3; ++k) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools_WireExplorer.hxx>
@@ -15,6 +14,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "core/base/unbounded.h"
 
 namespace blossom::cli {
 namespace {
@@ -24,7 +24,7 @@ constexpr int kMaxLines = 200;      // of a hatch, whatever the spacing
 constexpr int kPointsOfLine = 12;   // between two crossings of a line and the polygons
 
 struct ParameterBounds {
-  Vec2 low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Vec2 low = {kInfinity, kInfinity};
   Vec2 high = -low;
 };
 

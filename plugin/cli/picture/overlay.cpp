@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/base/unbounded.h"
 #include "plugin/cli/picture/raster/lettering.h"
 
 namespace blossom::cli {
@@ -48,9 +48,8 @@ void Overlay::blend(int x, int y, const Vec3& colour, double share) {
 
 void Overlay::stroke(const std::vector<std::vector<Vec2>>& lines, double width, const Vec3& colour,
                      double opacity) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
   const double reach = width / 2;
-  Vec2 low = {kFar, kFar}, high = {-kFar, -kFar};
+  Vec2 low = {kInfinity, kInfinity}, high = {-kInfinity, -kInfinity};
   for (const std::vector<Vec2>& line : lines)
     for (const Vec2& p : line)
       for (int k = 0; k < 2; ++k) {
@@ -62,7 +61,7 @@ void Overlay::stroke(const std::vector<std::vector<Vec2>>& lines, double width, 
   const PixelRange rows = pixels(low[1], high[1], image_.height);
   for (int y = rows.from; y < rows.to; ++y)
     for (int x = columns.from; x < columns.to; ++x) {
-      double away = kFar;
+      double away = kInfinity;
       const Vec2 here = {x + 0.5, y + 0.5};
       for (const std::vector<Vec2>& line : lines) {
         if (line.size() == 1) away = std::min(away, norm(here - line.front()));

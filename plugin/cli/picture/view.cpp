@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "core/base/unbounded.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/arguments/vectors.h"
 #include "plugin/cli/exit_code.h"
@@ -78,8 +78,7 @@ View view_from(const Vec3& to_eye, const std::vector<Vec3>& points, const Frame&
   view.right = norm(sideways) > kAlongZ ? unit(sideways) : Vec3{1, 0, 0};
   view.up = unit(cross(view.right, view.forward));
 
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Vec2 low = {kFar, kFar}, high = {-kFar, -kFar};
+  Vec2 low = {kInfinity, kInfinity}, high = {-kInfinity, -kInfinity};
   for (const Vec3& point : points) {
     const Vec2 at = {dot(point, view.right), dot(point, view.up)};
     for (int k = 0; k < 2; ++k) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -16,6 +15,7 @@
 
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/intersection_edges.h"
+#include "core/base/unbounded.h"
 #include "plugin/reports/models/repairs.h"
 #include "plugin/reports/models/shape_numbers.h"
 
@@ -173,7 +173,7 @@ Json parts_json(const Input& input, const occt::ShapeIntersection& found,
 
 ChainFacts facts_of(const std::vector<IntersectionCurve>& curves, const CurveChain& chain) {
   ChainFacts facts;
-  facts.least_angle = std::numeric_limits<double>::infinity();
+  facts.least_angle = kInfinity;
   for (const ChainUse& use : chain.uses) {
     const IntersectionCurve& curve = curves[static_cast<std::size_t>(use.curve)];
     facts.tangential = facts.tangential && curve.tangential;

@@ -38,6 +38,7 @@
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "tests/adapters/occt/fillet_checks.h"
 #include "tests/support/free_form_bodies.h"
 #include "tests/support/models.h"
@@ -72,12 +73,11 @@ std::vector<int> edges_of_kind(const TopoDS_Shape& shape, EdgeKind kind) {
 // The edge whose middle is nearest to a point.
 int edge_at(const TopoDS_Shape& shape, const Vec3& point) {
   const std::vector<EdgeFacts> facts = edge_facts(shape);
-  return std::ranges::min_element(facts, {},
-                                  [&](const EdgeFacts& each) {
-                                    return each.kind == EdgeKind::Degenerate
-                                               ? std::numeric_limits<double>::infinity()
-                                               : distance(each.middle, point);
-                                  })
+  return std::ranges::min_element(
+             facts, {},
+             [&](const EdgeFacts& each) {
+               return each.kind == EdgeKind::Degenerate ? kInfinity : distance(each.middle, point);
+             })
       ->number;
 }
 
@@ -354,8 +354,7 @@ TEST(FilletRefuses, EdgesWithNothingToRoundButRoundsTheOthers) {
 
 TEST(FilletRefuses, BadNumbers) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kEndless = std::numeric_limits<double>::infinity();
-  for (const double radius : {0.0, -1.0, kNone, kEndless, -kEndless})
+  for (const double radius : {0.0, -1.0, kNone, kInfinity, -kInfinity})
     EXPECT_THROW(rounded(box(10), {1}, radius), InvalidInput) << radius;
   for (const int edge : {0, -1, 13, 1000, std::numeric_limits<int>::min()})
     EXPECT_THROW(rounded(box(10), {edge}, 1), InvalidInput) << edge;

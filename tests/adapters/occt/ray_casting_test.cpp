@@ -24,6 +24,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "tests/support/shapes.h"
 
 namespace blossom::occt {
@@ -31,8 +32,6 @@ namespace {
 
 using testing::random_point;
 using testing::seeded;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TopoDS_Face plate_with_hole() {
   const gp_Circ circle(gp_Ax2(gp_Pnt(2, 2, 0), gp_Dir(0, 0, -1)), 1);

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/forms/algebra/conversion.h"
 #include "core/forms/algebra/de_casteljau.h"
 #include "tests/support/shapes.h"
@@ -177,10 +177,9 @@ TEST(CurveBlossom, SaysHowManyParametersItTakes) {
 }
 
 TEST(CurveBlossom, RefusesWhatIsNotFiniteOrHasNoDegree) {
-  const double infinity = std::numeric_limits<double>::infinity();
   const MonomialCurve line{std::vector<Vec3>(2)};
-  EXPECT_THROW(blossom_at(line, std::array{infinity}), InvalidInput);
-  EXPECT_THROW(bezier_points(line, {0, infinity}), InvalidInput);
+  EXPECT_THROW(blossom_at(line, std::array{kInfinity}), InvalidInput);
+  EXPECT_THROW(bezier_points(line, {0, kInfinity}), InvalidInput);
   EXPECT_THROW(bezier_points(MonomialCurve{}, {0, 1}), InvalidInput);
   EXPECT_THROW(bezier_points(MonomialCurve{std::vector<Vec3>(27)}, {0, 1}), InvalidInput);
   EXPECT_THROW(blossom_at(BezierCurve{}, std::array<double, 0>{}), InvalidInput);

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 
+#include "core/base/unbounded.h"
 #include "tests/support/shapes.h"
 
 namespace blossom {
@@ -16,8 +17,6 @@ namespace {
 using testing::random_point;
 using testing::seeded;
 using testing::uniform;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<Box> random_boxes(testing::Random& random, int count) {
   std::vector<Box> boxes;

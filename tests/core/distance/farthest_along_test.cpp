@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/distance.h"
 #include "tests/support/quadric_patches.h"
 #include "tests/support/shapes.h"
@@ -16,7 +16,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kUnknown = -std::numeric_limits<double>::infinity();
+constexpr double kUnknown = -kInfinity;
 
 // z = height(i, j) over the unit square.
 BezierSurface graph(const Grid<double>& heights) {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/blossom/detail/closed_form.h"
 #include "core/forms/algebra/detail/conversion.h"
 #include "core/papers/q_bernstein.h"
@@ -289,11 +289,10 @@ TEST(QBlossom, RefusesWhatHasNoBlossomWithTheReason) {
 }
 
 TEST(QBlossom, RefusesArgumentsThatDoNotFit) {
-  const double infinity = std::numeric_limits<double>::infinity();
   const MonomialCurve square{std::vector<Vec3>(3)};
   const std::vector<Vec3> points(3);
   EXPECT_THROW(q_blossom_at(square, {2, 3}, std::vector<Vec2>(3)), InvalidInput);
-  EXPECT_THROW(q_blossom_at(square, {2, 3}, std::vector<Vec2>{{1, 1}, {infinity, 1}}),
+  EXPECT_THROW(q_blossom_at(square, {2, 3}, std::vector<Vec2>{{1, 1}, {kInfinity, 1}}),
                InvalidInput);
   EXPECT_THROW(
       q_blossom_at(MonomialCurve{std::vector<Vec3>(4)}, {1e200, 1e200}, std::vector<Vec2>(3)),

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
@@ -21,7 +22,6 @@ using testing::reference_point;
 using testing::seeded;
 using testing::uniform;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-12;
 
 RationalBezierPatch random_rational(testing::Random& random, int n, int m, double largest_weight) {

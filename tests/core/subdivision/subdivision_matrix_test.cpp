@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/math/detail/bernstein.h"
 #include "tests/support/exact.h"
 #include "tests/support/random.h"
@@ -103,12 +102,11 @@ TEST_P(SubdivisionMatrixProperty, EntriesAreAccurateRelativeToThemselves) {
 INSTANTIATE_TEST_SUITE_P(Seeds, SubdivisionMatrixProperty, ::testing::Range(0, 26));
 
 TEST(SubdivisionMatrix, RefusesDegreesOutOfRangeAndEndsThatAreNotFinite) {
-  const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_THROW(subdivision_matrix(-1, {0, 1}), InvalidInput);
   EXPECT_THROW(subdivision_matrix(26, {0, 1}), InvalidInput);
-  EXPECT_THROW(subdivision_matrix(3, {0, infinity}), InvalidInput);
+  EXPECT_THROW(subdivision_matrix(3, {0, kInfinity}), InvalidInput);
   EXPECT_THROW(monomial_matrix(26, {0, 1}), InvalidInput);
-  EXPECT_THROW(monomial_matrix(3, {-infinity, 1}), InvalidInput);
+  EXPECT_THROW(monomial_matrix(3, {-kInfinity, 1}), InvalidInput);
 }
 
 }  // namespace

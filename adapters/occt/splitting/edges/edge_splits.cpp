@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
@@ -21,6 +20,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/curves.h"
+#include "core/base/unbounded.h"
 #include "core/plane/limits.h"
 
 namespace blossom::occt {
@@ -164,7 +164,7 @@ int EdgeSplits::add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face
     return known;
   }
   int nearest = -1;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (std::size_t i = 0; i < of.splits.size(); ++i) {
     const Split& split = of.splits[i];
     const double along = std::abs(split.parameter - parameter);

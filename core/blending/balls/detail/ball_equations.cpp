@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/blending/balls/limits.h"
 #include "core/math/linear_solve.h"
 
@@ -62,9 +63,8 @@ double step_size(const Vec4& step, const Vec4& x, const Vec4& extents) {
 // Whether no step of Newton's method is left after two of these sizes: the one that would follow
 // has K size^2, K = size / before^2. Before the first step there is none, and K is taken to be what
 // it is at most where the method squares.
-constexpr double kNone = 1e300;
 bool is_settled(double size, double before) {
-  if (before == kNone && size <= kShortStep) return true;
+  if (before == kUnbounded && size <= kShortStep) return true;
   if (size <= kSettled || (size < kAlmostSettled && size >= 0.5 * before)) return true;
   return before <= kQuadratic && size * size * size <= kSettled * before * before;
 }
@@ -187,7 +187,7 @@ std::optional<Vec4> BallSystem::solved(Vec4 x, const BallCells& cells, double pa
   const double radius = law_.at(parameter).value;
   MovingPlane driven;
   if (planes_) driven = planes_(parameter);
-  double before = kNone;
+  double before = kUnbounded;
   for (int step = 0; step < kMaxSteps; ++step) {
     const auto o = jets(x, cells, radius);
     if (!o) return std::nullopt;
@@ -221,7 +221,7 @@ bool BallSystem::shortest_step(std::array<Vec3, 4> columns, Vec3 f, Vec4& step) 
 
 std::optional<Vec4> BallSystem::nearest(Vec4 x) const {
   const double radius = law_.at(0).value;
-  double before = 1e300;
+  double before = kUnbounded;
   for (int step = 0; step < 2 * kMaxSteps; ++step) {
     const BallCells cells{cell_at(*supports_[0].surface, chart_of(x, 0)),
                           cell_at(*supports_[1].surface, chart_of(x, 1))};

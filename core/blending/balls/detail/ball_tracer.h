@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/unbounded.h"
 #include "core/blending/balls/ball_track.h"
 #include "core/blending/balls/detail/ball_equations.h"
 
@@ -14,7 +15,7 @@ namespace blossom {
 
 /// Where a driven ball's parameter has to stop, and where it has to have a node.
 struct TrackStops {
-  Interval range{-1e300, 1e300};
+  Interval range{-kUnbounded, kUnbounded};
   std::vector<double> knots{};  ///< increasing
 };
 

@@ -2,11 +2,11 @@
 // `blossom query ray F --from P --direction D`: what a ray or line hits.
 
 #include <functional>
-#include <limits>
 #include <memory>
 #include <sstream>
 
 #include "adapters/occt/ray_casting.h"
+#include "core/base/unbounded.h"
 #include "plugin/cli/arguments/options.h"
 #include "plugin/cli/commands/query/query_parts.h"
 #include "plugin/cli/exit_code.h"
@@ -34,7 +34,7 @@ Ray ray_of(const RayCommand& options) {
   const double largest = max_norm(direction);
   if (largest == 0) throw UsageError("--direction: the zero vector has no direction");
   ray.direction = unit(direction * (1 / largest));  // lengths are then model units
-  if (options.line) ray.from = -std::numeric_limits<double>::infinity();
+  if (options.line) ray.from = -kInfinity;
   return ray;
 }
 

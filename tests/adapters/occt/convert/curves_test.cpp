@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 #include <GeomAdaptor_Curve.hxx>
@@ -15,6 +14,7 @@
 #include <gp.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "core/base/unbounded.h"
 #include "tests/adapters/occt/convert/surfaces_samples.h"
 #include "tests/support/measures.h"
 
@@ -111,8 +111,7 @@ TEST(BezierSpans, FitsWithinTheToleranceThatIsAsked) {
 
 TEST(BezierSpans, RefusesRangesAndNumbersThatAreNone) {
   const Handle(Geom_Curve) line = new Geom_Line(gp::OX());
-  const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(bezier_spans(line, {0, infinity}), BadModel);
+  EXPECT_THROW(bezier_spans(line, {0, kInfinity}), BadModel);
   EXPECT_THROW(bezier_spans(line, {std::nan(""), 1}), BadModel);
   EXPECT_THROW(bezier_spans(line, {1, 1}), BadModel);
   EXPECT_THROW(bezier_spans(line, {2, 1}), BadModel);

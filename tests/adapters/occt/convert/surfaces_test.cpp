@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -34,6 +33,7 @@
 #include <gp_Trsf.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "core/base/unbounded.h"
 #include "core/forms/algebra/conversion.h"
 #include "tests/adapters/occt/convert/surfaces_samples.h"
 #include "tests/support/measures.h"
@@ -47,8 +47,6 @@ using testing::uniform;
 
 using testing::gap;
 using testing::kPi;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Largest distance to the surface at equal parameters, over random places and all corners.
 double largest_gap(const BezierSurface& found, const Handle(Geom_Surface) & surface,
                    const ParameterBox& box, Random& random) {

@@ -2,18 +2,16 @@
 // Taylor models: what they promise holds at every x, and roots of nothing are not invented.
 
 #include "core/math/series/taylor_model.h"
+#include "core/base/unbounded.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <random>
 
 namespace blossom {
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 long double model_value(const TaylorModel& f, long double x) {
   long double sum = 0;
@@ -82,25 +80,25 @@ TEST(TaylorModel, InverseOfALineIsTheGeometricSeries) {
 }
 
 TEST(TaylorModel, KnowsNothingOfTheInverseOfARoot) {
-  EXPECT_EQ(size_bound(reciprocal(model({1, 2}))), kInfinite);
-  EXPECT_EQ(size_bound(reciprocal(model({0, 1}))), kInfinite);
-  EXPECT_EQ(size_bound(reciprocal(TaylorModel(0))), kInfinite);
+  EXPECT_EQ(size_bound(reciprocal(model({1, 2}))), kInfinity);
+  EXPECT_EQ(size_bound(reciprocal(model({0, 1}))), kInfinity);
+  EXPECT_EQ(size_bound(reciprocal(TaylorModel(0))), kInfinity);
 }
 
 TEST(TaylorModel, KnowsNothingOfTheRootOfWhatMayBeNegative) {
-  EXPECT_EQ(size_bound(sqrt(model({1, 2}))), kInfinite);
-  EXPECT_EQ(size_bound(sqrt(model({-1}))), kInfinite);
-  EXPECT_EQ(size_bound(sqrt(TaylorModel(0))), kInfinite);
+  EXPECT_EQ(size_bound(sqrt(model({1, 2}))), kInfinity);
+  EXPECT_EQ(size_bound(sqrt(model({-1}))), kInfinity);
+  EXPECT_EQ(size_bound(sqrt(TaylorModel(0))), kInfinity);
   TaylorModel wide = model({1});
   wide.rest = 2;
-  EXPECT_EQ(size_bound(sqrt(wide)), kInfinite);
+  EXPECT_EQ(size_bound(sqrt(wide)), kInfinity);
 }
 
 TEST(TaylorModel, WhatIsUnknownStaysUnknown) {
   const TaylorModel unknown = reciprocal(TaylorModel(0));
-  EXPECT_EQ(size_bound(unknown * TaylorModel(0)), kInfinite);
-  EXPECT_EQ(size_bound(unknown - unknown), kInfinite);
-  EXPECT_EQ(change_bound(unknown), kInfinite);
+  EXPECT_EQ(size_bound(unknown * TaylorModel(0)), kInfinity);
+  EXPECT_EQ(size_bound(unknown - unknown), kInfinity);
+  EXPECT_EQ(change_bound(unknown), kInfinity);
 }
 
 class TaylorModelProperty : public ::testing::TestWithParam<int> {};
