@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/plane/limits.h"
+#include "core/base/sampled_margin.h"
 
 namespace blossom {
 namespace {

@@ -3,16 +3,17 @@
 
 #include <algorithm>
 
+#include "core/base/sampled_margin.h"
+
 namespace blossom {
 namespace {
 
 constexpr double kMinEdgeTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
-constexpr double kEdgeMargin = 1.1;         // of the edge's tolerance over the deviation
 
 }  // namespace
 
 double edge_tolerance(const Deviation& d) {
-  return std::max(kMinEdgeTolerance, kEdgeMargin * std::max({d.a, d.b, d.between}));
+  return std::max(kMinEdgeTolerance, kSampledMargin * std::max({d.a, d.b, d.between}));
 }
 
 const char* to_string(PlaceKind kind) {

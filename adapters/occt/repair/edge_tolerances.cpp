@@ -23,11 +23,11 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/repair/edge_gaps.h"
+#include "core/base/sampled_margin.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kSampleMargin = 1.1;  // of gaps, which are measured at samples
 // Of the least tolerance: between samples gaps are not so much larger that it would not cover them.
 constexpr double kMinGap = 0.25;
 constexpr double kExcess = 10;  // a tolerance this many times as large as it has to be is lowered
@@ -119,7 +119,7 @@ double needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& fac
   if (BRep_Tool::Degenerated(edge)) {
     for (const TopoDS_Shape& face : faces)
       largest = std::max(largest, edge_gaps(edge, TopoDS::Face(face)).gap);
-    return std::max(BRep_Tool::Tolerance(edge), kSampleMargin * largest);
+    return std::max(BRep_Tool::Tolerance(edge), kSampledMargin * largest);
   }
   for (const TopoDS_Shape& each : faces) {
     const TopoDS_Face face = TopoDS::Face(each);
@@ -132,7 +132,7 @@ double needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& fac
       largest = std::max(largest, *gap);
     }
   }
-  return std::max(Precision::Confusion(), kSampleMargin * largest);
+  return std::max(Precision::Confusion(), kSampledMargin * largest);
 }
 
 double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
@@ -171,7 +171,7 @@ const NeededTolerance& NeededTolerances::of(const TopoDS_Edge& edge) {
   if (const NeededTolerance* known = known_.Seek(edge)) return *known;
   if (stop_) stop_();
   const double needed = needed_tolerance(edge, parts_.faces_of_edges.FindFromKey(edge));
-  return *known_.Bound(edge, {BRep_Tool::Tolerance(edge), needed, needed / kSampleMargin});
+  return *known_.Bound(edge, {BRep_Tool::Tolerance(edge), needed, needed / kSampledMargin});
 }
 
 const NeededTolerance& NeededTolerances::of(const TopoDS_Vertex& vertex) {
@@ -191,7 +191,7 @@ NeededTolerance NeededTolerances::measured(const TopoDS_Vertex& vertex) {
         distance = std::max(distance, distance_at(TopoDS::Vertex(end.Value()), edge,
                                                   parts_.faces_of_edges.FindFromKey(edge)));
   }
-  return {BRep_Tool::Tolerance(vertex), std::max(of_edges, kSampleMargin * distance),
+  return {BRep_Tool::Tolerance(vertex), std::max(of_edges, kSampledMargin * distance),
           std::max(of_edges, distance)};
 }
 

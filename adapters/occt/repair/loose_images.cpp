@@ -35,6 +35,7 @@
 
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/repair/edge_tolerances.h"
+#include "core/base/sampled_margin.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -48,7 +49,6 @@ constexpr int kMaxParts = 256;     // likewise
 constexpr int kSteps = 20;         // of Newton's method
 constexpr double kStill = 1e-12;   // model units: a step of it that is nothing any more
 constexpr double kRegular = 1e-9;  // of a surface's derivatives: the least sine's square
-constexpr double kMargin = 1.1;    // of distances between samples
 
 using Stop = std::function<void()>;
 
@@ -289,7 +289,7 @@ double needed_at(const TopoDS_Vertex& vertex, const SharedParts& parts) {
         needed = std::max({needed, BRep_Tool::Tolerance(edge),
                            distance_at(TopoDS::Vertex(end.Value()), edge, faces)});
   }
-  return kMargin * needed;
+  return kSampledMargin * needed;
 }
 
 // Those of the remade edges.

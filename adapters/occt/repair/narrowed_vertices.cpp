@@ -22,12 +22,11 @@
 #include "adapters/occt/base/shared_parts.h"
 #include "adapters/occt/repair/edge_tolerances.h"
 #include "adapters/occt/soundness.h"
+#include "core/base/sampled_margin.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {
 namespace {
-
-constexpr double kMeetingMargin = 1.1;  // of how far from a vertex wires are seen to meet
 
 // Those that would be far too wide if they needed no more than Open CASCADE's confusion. No vertex
 // needs less, so others are not far too wide whatever they need, which takes long to measure.
@@ -89,8 +88,8 @@ void narrow(const TopoDS_Vertex& vertex, double needed, const TopTools_ListOfSha
     data->Tolerance(needed);
     const std::optional<double> beside = farthest_meeting(vertex, faces);
     if (beside == 0) return;
-    if (!beside || kMeetingMargin * *beside <= needed) break;
-    needed = kMeetingMargin * *beside;
+    if (!beside || kSampledMargin * *beside <= needed) break;
+    needed = kSampledMargin * *beside;
   }
   data->Tolerance(given);
 }

@@ -20,8 +20,8 @@
 #include "adapters/occt/splitting/edges/edge_stretches.h"
 #include "adapters/occt/splitting/edges_in_reach.h"
 #include "adapters/occt/splitting/limits.h"
+#include "core/base/sampled_margin.h"
 #include "core/bounds/box_tree.h"
-#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {

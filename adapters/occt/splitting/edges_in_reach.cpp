@@ -17,8 +17,8 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
+#include "core/base/sampled_margin.h"
 #include "core/forms/curve_spans.h"
-#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {

@@ -16,8 +16,8 @@
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/face_splitter.h"
+#include "core/base/sampled_margin.h"
 #include "core/base/unbounded.h"
-#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {

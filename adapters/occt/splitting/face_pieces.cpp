@@ -18,7 +18,7 @@
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/splitting/face_splitter.h"
-#include "core/plane/limits.h"
+#include "core/base/sampled_margin.h"
 
 namespace blossom::occt {
 namespace {

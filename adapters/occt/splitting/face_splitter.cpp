@@ -15,9 +15,9 @@
 
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/splitting/limits.h"
+#include "core/base/sampled_margin.h"
 #include "core/base/unbounded.h"
 #include "core/plane/cut_crossings.h"
-#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {

@@ -9,8 +9,8 @@
 #include <BRep_Tool.hxx>
 
 #include "adapters/occt/splitting/face_splitter.h"
+#include "core/base/sampled_margin.h"
 #include "core/base/unbounded.h"
-#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {

@@ -24,7 +24,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kMargin = 1.1;  // of a gap: what is so much farther counts as one with it
+constexpr double kOneWithGap = 1.1;  // of a gap: what is so much farther counts as one with it
 
 constexpr std::array kLooks{0.0, 0.25, 0.5, 0.75, 1.0};  // at a run
 
@@ -167,15 +167,15 @@ double contact_scale(const std::vector<double>& gaps, double tolerance) {
     if (above * widest.from > widest.to * below) widest = {below, above};
   };
   for (const double gap : gaps) {
-    if (gap > kMargin * kLooseReach * tolerance) {
+    if (gap > kOneWithGap * kLooseReach * tolerance) {
       end_range(std::min(gap, reach));
       break;
     }
     if (gap > below) end_range(gap);
-    below = std::max(below, kMargin * gap);
+    below = std::max(below, kOneWithGap * gap);
   }
-  if (gaps.empty() || gaps.back() <= kMargin * kLooseReach * tolerance)
-    end_range(kMargin * kMargin * reach);  // it is wider than what was looked at
+  if (gaps.empty() || gaps.back() <= kOneWithGap * kLooseReach * tolerance)
+    end_range(kOneWithGap * kOneWithGap * reach);  // it is wider than what was looked at
   return std::min(std::sqrt(widest.from * widest.to),
                   std::max(kLooseReach * tolerance, widest.from));
 }

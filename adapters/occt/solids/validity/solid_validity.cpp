@@ -37,6 +37,7 @@
 #include "adapters/occt/solids/validity/polygon_faces.h"
 #include "adapters/occt/solids/validity/sound_faces.h"
 #include "adapters/occt/splitting/edges/edge_stretches.h"
+#include "core/base/sampled_margin.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -102,7 +103,6 @@ bool is_sliver(const TopoDS_Face& face) {
   });
 }
 
-constexpr double kCoverMargin = 1.1;
 constexpr std::array kBetween{0.25, 0.5, 0.75};  // samples from a vertex to a crossing
 
 // An edge with its curve in the parameters of one face.
@@ -197,7 +197,7 @@ bool cover_crossings(const ChartedEdge& a, const ChartedEdge& b, const TopoDS_Fa
     };
     const TopoDS_Vertex& vertex = *std::ranges::min_element(ends, {}, past);
     if (past(vertex) <= 0 || !are_one_up_to(a, b, vertex, crossing)) continue;
-    BRep_Builder().UpdateVertex(vertex, kCoverMargin * BRep_Tool::Pnt(vertex).Distance(point));
+    BRep_Builder().UpdateVertex(vertex, kSampledMargin * BRep_Tool::Pnt(vertex).Distance(point));
     any = true;
   }
   return any;

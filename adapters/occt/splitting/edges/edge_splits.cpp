@@ -20,8 +20,8 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/curves.h"
+#include "core/base/sampled_margin.h"
 #include "core/base/unbounded.h"
-#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {

@@ -22,8 +22,8 @@
 
 #include "adapters/occt/splitting/edges/edge_splits.h"
 #include "adapters/occt/splitting/edges/pole_edges.h"
+#include "core/base/sampled_margin.h"
 #include "core/math/interval.h"
-#include "core/plane/limits.h"
 
 namespace blossom::occt {
 namespace {

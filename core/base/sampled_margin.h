@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What several steps of dividing faces decide in the same way.
+// What covers a distance that was measured at samples.
 
 #pragma once
 
