@@ -82,12 +82,6 @@ struct NearEdge {
   TopoDS_Shape shape;           // the edge, or the vertex that is as near
 };
 
-bool is_near(const PlanarBox& box, const Vec2& point, double margin) {
-  for (int k = 0; k < 2; ++k)
-    if (point[k] < box.low[k] - margin || point[k] > box.high[k] + margin) return false;
-  return true;
-}
-
 }  // namespace
 
 struct ShapeRays::Impl {
@@ -135,7 +129,7 @@ NearEdge ShapeRays::Impl::nearest_edge(int face, const Vec2& chart, const Vec3& 
   NearEdge best;
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop) {
-      if (!is_near(box_of(coedge.curve), chart, margin)) continue;
+      if (!holds(box_of(coedge.curve), chart, margin)) continue;
       const PlanarFoot foot = nearest(coedge.curve, chart);
       const double gap = distance(image(face, point_at(coedge.curve, foot.parameter)), point);
       if (gap < best.distance) {

@@ -23,10 +23,6 @@ constexpr int kBisections = 60;
 
 double width(const PlanarBox& box, int k) { return box.high[k] - box.low[k]; }
 
-bool holds(const PlanarBox& box, const Vec2& p) {
-  return box.low[0] <= p[0] && p[0] <= box.high[0] && box.low[1] <= p[1] && p[1] <= box.high[1];
-}
-
 bool meets(const PlanarBezier& piece, const PlanarBox& box, int halvings) {
   const PlanarBox own = box_of(piece.points);
   if (are_disjoint(own, box)) return false;
@@ -170,12 +166,6 @@ Others others_at(const FaceTrims& trims, const Coedge& edge, const CoedgeStretch
 }
 
 }  // namespace
-
-bool are_disjoint(const PlanarBox& a, const PlanarBox& b) {
-  for (int k = 0; k < 2; ++k)
-    if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return true;
-  return false;
-}
 
 // Pieces that may hold a nearer point are halved, nearest boxes first. On a line there is one foot.
 double foot_on(const Coedge& edge, const Vec2& target) {

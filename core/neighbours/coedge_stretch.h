@@ -13,8 +13,6 @@
 
 namespace blossom {
 
-bool are_disjoint(const PlanarBox& a, const PlanarBox& b);
-
 /// A stretch of an edge past a rectangle of the chart.
 struct CoedgeStretch {
   Interval range;                    ///< of the edge's parameter

@@ -61,12 +61,6 @@ CurveSpans lifted(const PlanarCurve& curve, double tolerance) {
   return result;
 }
 
-bool are_disjoint(const PlanarBox& a, const PlanarBox& b, double tolerance) {
-  for (int k = 0; k < 2; ++k)
-    if (a.low[k] > b.high[k] + tolerance || b.low[k] > a.high[k] + tolerance) return true;
-  return false;
-}
-
 // The end of the curve that the point at a parameter cannot be told from, or the parameter.
 double moved_to_end(const PlanarCurve& curve, double parameter, double tolerance) {
   const Interval domain = curve.domain();

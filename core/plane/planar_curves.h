@@ -76,6 +76,20 @@ PlanarBox box_of(std::span<const Vec3> points);
 PlanarBox box_of(const PlanarCurve& curve);
 PlanarBox united(const PlanarBox& a, const PlanarBox& b);
 
+/// Whether boxes are apart by more than the margin in a coordinate.
+inline bool are_disjoint(const PlanarBox& a, const PlanarBox& b, double margin = 0) {
+  for (int k = 0; k < 2; ++k)
+    if (a.low[k] > b.high[k] + margin || b.low[k] > a.high[k] + margin) return true;
+  return false;
+}
+
+/// Whether a point leaves the box by no more than the margin in either coordinate.
+inline bool holds(const PlanarBox& box, const Vec2& point, double margin = 0) {
+  for (int k = 0; k < 2; ++k)
+    if (point[k] < box.low[k] - margin || point[k] > box.high[k] + margin) return false;
+  return true;
+}
+
 inline Vec2 projected(const Vec3& point) { return {point[0] / point[2], point[1] / point[2]}; }
 inline double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 

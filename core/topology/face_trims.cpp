@@ -153,12 +153,6 @@ bool is_natural(const FaceTrims& trims) {
                      [&](const Coedge& coedge) { return lies_on_border(coedge.curve, trims.box); });
 }
 
-bool are_disjoint(const PlanarBox& a, const PlanarBox& b) {
-  for (int k = 0; k < 2; ++k)
-    if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return true;
-  return false;
-}
-
 // Of a straight piece whose box meets the other one: whether that is all on one side of its line.
 bool lies_beside(const PlanarBezier& line, const PlanarBox& box) {
   const auto end = [&](std::size_t i) {
@@ -170,15 +164,11 @@ bool lies_beside(const PlanarBezier& line, const PlanarBox& box) {
   return std::abs(cross(along, box.low + half - from)) > reach;
 }
 
-bool holds_end(const PlanarBox& box, const Vec3& end) {
-  const Vec2 p = projected(end);
-  return !are_disjoint(box, {p, p});
-}
-
 bool may_meet(const PlanarBezier& piece, const PlanarBox& box, int halvings) {
   if (are_disjoint(box_of(piece.points), box)) return false;
   if (piece.degree() == 1) return !lies_beside(piece, box);
-  if (holds_end(box, piece.points.front()) || holds_end(box, piece.points.back())) return true;
+  if (holds(box, projected(piece.points.front())) || holds(box, projected(piece.points.back())))
+    return true;
   return halvings == 0 || may_meet(bezier_piece(piece, {0, 0.5}), box, halvings - 1) ||
          may_meet(bezier_piece(piece, {0.5, 1}), box, halvings - 1);
 }

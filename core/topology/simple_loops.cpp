@@ -115,18 +115,12 @@ bool parts(const PlanarBezier& a, const PlanarBezier& b, double margin) {
   return false;
 }
 
-bool boxes_part(const PlanarBox& a, const PlanarBox& b, double margin) {
-  for (int k = 0; k < 2; ++k)
-    if (a.high[k] + margin < b.low[k] || b.high[k] + margin < a.low[k]) return true;
-  return false;
-}
-
 // False if that many halvings of the two together do not do, or no test is left.
 bool are_apart(const PlanarBezier& a, const PlanarBezier& b, double margin, int halvings,
                TestBudget& tests) {
   if (!tests.spend()) return false;
   const PlanarBox of_a = box_of(a.points), of_b = box_of(b.points);
-  if (boxes_part(of_a, of_b, margin) || parts(a, b, margin) || parts(b, a, margin)) return true;
+  if (are_disjoint(of_a, of_b, margin) || parts(a, b, margin) || parts(b, a, margin)) return true;
   if (halvings == 0) return false;
   const bool first = distance(of_a.low, of_a.high) >= distance(of_b.low, of_b.high);
   const PlanarBezier& longer = first ? a : b;
@@ -294,7 +288,7 @@ class LoopsProof {
       for (std::size_t n = m + 1; n < order.size(); ++n) {
         const LoopPiece& b = pieces_[order[n]];
         if (b.box.low[0] > a.box.high[0] + margin) break;
-        if (a.before == order[n] || a.after == order[n] || boxes_part(a.box, b.box, margin))
+        if (a.before == order[n] || a.after == order[n] || are_disjoint(a.box, b.box, margin))
           continue;
         if (!are_apart(a.curve, b.curve, margin, 2 * kHalvings, tests_)) return false;
       }

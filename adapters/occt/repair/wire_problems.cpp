@@ -39,12 +39,6 @@ struct PlacedCoedge {
   int loop = 0;
 };
 
-bool are_disjoint(const PlanarBox& a, const PlanarBox& b, double margin) {
-  for (int k = 0; k < 2; ++k)
-    if (a.low[k] > b.high[k] + margin || b.low[k] > a.high[k] + margin) return true;
-  return false;
-}
-
 // The nearest corner that joins the two, or infinitely far.
 double from_common_corner(const FaceTrims& trims, const Coedge& a, const Coedge& b,
                           const Vec2& point) {

@@ -28,12 +28,6 @@ constexpr double kObliqueness = 8;
 // Neighbours that see a crossing farther apart, in tolerances of the edge, see two.
 constexpr double kMaxDisagreement = 256;
 
-bool boxes_meet(const PlanarBox& a, const PlanarBox& b, double margin) {
-  for (int k = 0; k < 2; ++k)
-    if (a.low[k] > b.high[k] + margin || b.low[k] > a.high[k] + margin) return false;
-  return true;
-}
-
 // It stays within `reach` of a point there.
 bool keeps_near(const PlanarCurve& curve, const Vec2& point, double s, double t, double reach) {
   return std::ranges::all_of(std::array{s, 0.5 * (s + t), t}, [&](double at) {
@@ -336,7 +330,7 @@ void FaceSplitter::add_crossings() {
     for (std::size_t k = i + 1; k < lifted_cuts_.size(); ++k) {
       LiftedCut &a = lifted_cuts_[i], &b = lifted_cuts_[k];
       const double widest = std::max(reach(a), reach(b));
-      if (!boxes_meet(box_of(a.curve), box_of(b.curve), widest)) continue;
+      if (are_disjoint(box_of(a.curve), box_of(b.curve), widest)) continue;
       check_limit(limit_, kDividing);
       const CutCrossings common =
           cut_crossings(a.curve, b.curve, widest, tangency_length(trims_, widest));
