@@ -10,6 +10,7 @@
 #include "core/base/unbounded.h"
 #include "core/bounds/box_tree.h"
 #include "core/math/index.h"
+#include "core/math/segment.h"
 
 namespace blossom {
 namespace {
@@ -21,10 +22,7 @@ constexpr double kNarrow = 0.1;
 using Corners = std::array<Vec3, 3>;
 
 double squared_gap(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 d = b - a;
-  const double square = dot(d, d);
-  const double t = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
-  const Vec3 off = p - (a + t * d);
+  const Vec3 off = way_from_segment(p, a, b);
   return dot(off, off);
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/base/unbounded.h"
+#include "core/math/segment.h"
 #include "core/neighbours/limits.h"
 
 namespace blossom {
@@ -17,10 +18,9 @@ constexpr int kFootSteps = 8;     // to the nearest point of a shared edge
 double distance_to(const IntersectionCurve& edge, const Vec3& p) {
   double least = kUnbounded, nearest = 0;
   for (std::size_t i = 0; i + 1 < edge.samples.size(); ++i) {
-    const Vec3 from = edge.samples[i].point, step = edge.samples[i + 1].point - from;
-    const double square = dot(step, step);
-    const double t = square > 0 ? std::clamp(dot(p - from, step) / square, 0.0, 1.0) : 0.0;
-    const double gap = distance(p, from + step * t);
+    const Vec3 from = edge.samples[i].point, to = edge.samples[i + 1].point;
+    const double t = nearest_part(p, from, to);
+    const double gap = distance(p, from + t * (to - from));
     if (gap >= least) continue;
     least = gap;
     nearest = at(Interval{edge.sample_parameters[i], edge.sample_parameters[i + 1]}, t);

@@ -7,24 +7,19 @@
 
 #include "core/cells/net_ranges.h"
 #include "core/forms/spline.h"
+#include "core/math/segment.h"
 #include "core/plane/planar_curves.h"
 
 namespace blossom {
 
 namespace {
 
-double distance_to(const std::array<Vec3, 2>& chord, const Vec3& p) {
-  const Vec3 step = chord[1] - chord[0];
-  const double square = dot(step, step);
-  const double t = square > 0 ? std::clamp(dot(p - chord[0], step) / square, 0.0, 1.0) : 0.0;
-  return distance(p, chord[0] + t * step);
-}
-
 // A bound on the distance of a part of a curve from the chord between its ends.
 double sag(const Spline& curve, const Interval& part, const std::array<Vec3, 2>& chord) {
   if (!is_span(part, curve.domain())) return 0;
   double most = 0;
-  for (const Vec3& p : restricted(curve, part).points) most = std::max(most, distance_to(chord, p));
+  for (const Vec3& p : restricted(curve, part).points)
+    most = std::max(most, segment_gap(p, chord[0], chord[1]));
   return most;
 }
 
@@ -94,8 +89,8 @@ bool NeighbourEdge::is_near(double foot, const double* hull, int count, const Ve
   const std::array<Vec3, 2> chord{point_at(curve, part.from), point_at(curve, part.to)};
   double most = 0;
   for (int i = 0; i < count && most <= reach; ++i)
-    most = std::max(
-        most, distance_to(chord, origin + Vec3{hull[i], hull[count + i], hull[2 * count + i]}));
+    most = std::max(most, segment_gap(origin + Vec3{hull[i], hull[count + i], hull[2 * count + i]},
+                                      chord[0], chord[1]));
   return most <= reach && most + sag(curve, part, chord) <= reach;
 }
 

@@ -3,18 +3,9 @@
 
 #include <algorithm>
 
+#include "core/math/segment.h"
+
 namespace blossom {
-namespace {
-
-double distance_to_chord(const Vec3& point, const Vec3& from, const Vec3& to) {
-  const Vec3 step = to - from;
-  const double square = dot(step, step);
-  const double t = square > 0 ? std::clamp(dot(point - from, step) / square, 0.0, 1.0) : 0.0;
-  return distance(point, from + step * t);
-}
-
-}  // namespace
-
 bool is_known_contact(const SurfaceIntersection& result, const Vec3& point, double reach) {
   return std::ranges::any_of(
       result.points, [&](const SurfacePoint& p) { return distance(p.point, point) <= reach; });
@@ -25,7 +16,7 @@ bool is_on_curve(const SurfaceIntersection& result, const Vec3& point, double re
   return std::ranges::any_of(result.curves, [&](const IntersectionCurve& curve) {
     if (tangential_only && !curve.tangential) return false;
     for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i)
-      if (distance_to_chord(point, curve.samples[i].point, curve.samples[i + 1].point) <= reach)
+      if (segment_gap(point, curve.samples[i].point, curve.samples[i + 1].point) <= reach)
         return true;
     return false;
   });

@@ -7,7 +7,7 @@
 
 #include "core/base/errors.h"
 #include "core/forms/evaluation.h"
-#include "core/tessellation/segment_gap.h"
+#include "core/math/segment.h"
 
 namespace blossom {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "core/base/errors.h"
 #include "core/math/index.h"
+#include "core/math/segment.h"
 #include "core/regions/delaunay/constrained_delaunay.h"
 #include "core/tessellation/inner_points.h"
-#include "core/tessellation/segment_gap.h"
 
 namespace blossom {
 namespace {

@@ -31,6 +31,7 @@
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
+#include "core/math/segment.h"
 #include "tests/bench/command_line.h"
 #include "tests/bench/face_pairs_draw.h"
 #include "tests/bench/face_pairs_oracle.h"
@@ -58,13 +59,6 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 step = b - a;
-  const double square = dot(step, step);
-  const double t = square > 0 ? std::clamp(dot(p - a, step) / square, 0.0, 1.0) : 0;
-  return distance(p, a + step * t);
-}
-
 bool within(const Place& place, const Vec3& p, double margin) {
   for (int k = 0; k < 3; ++k)
     if (p[k] < place.box_low[k] - margin || p[k] > place.box_high[k] + margin) return false;
@@ -77,8 +71,7 @@ bool is_reported(const occt::ShapeIntersection& found, const Vec3& p, double nea
   for (const occt::FaceIntersection& pair : found.pairs) {
     for (const IntersectionCurve& curve : pair.found.curves)
       for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i)
-        if (distance_to_segment(p, curve.samples[i].point, curve.samples[i + 1].point) <= near)
-          return true;
+        if (segment_gap(p, curve.samples[i].point, curve.samples[i + 1].point) <= near) return true;
     for (const Place& place : pair.found.places)
       if (within(place, p, tolerance)) return true;
   }

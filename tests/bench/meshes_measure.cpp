@@ -27,7 +27,7 @@
 #include "adapters/occt/tessellation.h"
 #include "core/bounds/box_tree.h"
 #include "core/math/index.h"
-#include "core/tessellation/segment_gap.h"
+#include "core/math/segment.h"
 #include "tests/bench/apart.h"
 #include "tests/support/incremental_mesh.h"
 

@@ -19,6 +19,7 @@
 #include "adapters/occt/faces/surface_projector.h"
 #include "core/base/unbounded.h"
 #include "core/bounds/box_tree.h"
+#include "core/math/segment.h"
 #include "core/neighbours/along_shared_edges.h"
 #include "core/results/contact_places.h"
 
@@ -38,12 +39,8 @@ Vec3 inwards(const OutlineEdge& of, const Handle(Geom_Surface) & surface, double
 
 double distance_to(const std::vector<SurfacePoint>& polygon, const Vec3& p) {
   double least = kUnbounded;
-  for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
-    const Vec3 from = polygon[i].point, step = polygon[i + 1].point - from;
-    const double square = dot(step, step);
-    const double t = square > 0 ? std::clamp(dot(p - from, step) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, distance(p, from + t * step));
-  }
+  for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
+    least = std::min(least, segment_gap(p, polygon[i].point, polygon[i + 1].point));
   return least;
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/forms/evaluation.h"
+#include "core/math/segment.h"
 #include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/gap/contact_points.h"
 
@@ -59,10 +60,9 @@ class NearMisses {
   bool falls_towards(const FoundArc& arc, const ContactPoint& end, double reach) const {
     if (arc.dropped || arc.patch_a != end.patch_a || arc.patch_b != end.patch_b) return false;
     const Vec3 from = point(arc.patch_a, arc.arc.from), to = point(arc.patch_a, arc.arc.to);
-    const Vec3 x = point(end.patch_a, end.x), run = to - from;
-    const double square = dot(run, run);
-    const double part = square > 0 ? std::clamp(dot(x - from, run) / square, 0.0, 1.0) : 0;
-    if (distance(x, from + part * run) > reach) return false;
+    const Vec3 x = point(end.patch_a, end.x);
+    const double part = nearest_part(x, from, to);
+    if (distance(x, from + part * (to - from)) > reach) return false;
     Point4 between;
     for (std::size_t k = 0; k < 4; ++k) {
       const double there = (1 - part) * arc.arc.from[k] + part * arc.arc.to[k];

@@ -5,19 +5,13 @@
 #include <cmath>
 
 #include "core/base/unbounded.h"
+#include "core/math/segment.h"
 #include "plugin/cli/picture/raster/lettering.h"
 
 namespace blossom::cli {
 namespace {
 
 constexpr double kPen = 0.16;  // width of a letter's strokes, of its height
-
-double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to) {
-  const Vec2 along = to - from;
-  const double square = dot(along, along);
-  const double t = square > 0 ? std::clamp(dot(p - from, along) / square, 0.0, 1.0) : 0.0;
-  return norm(p - (from + t * along));
-}
 
 // How much of a pixel is within `reach` of something that is `away`.
 double cover(double reach, double away) { return std::clamp(reach - away + 0.5, 0.0, 1.0); }
@@ -66,7 +60,7 @@ void Overlay::stroke(const std::vector<std::vector<Vec2>>& lines, double width, 
       for (const std::vector<Vec2>& line : lines) {
         if (line.size() == 1) away = std::min(away, norm(here - line.front()));
         for (std::size_t i = 1; i < line.size(); ++i)
-          away = std::min(away, distance_to_segment(here, line[i - 1], line[i]));
+          away = std::min(away, segment_gap(here, line[i - 1], line[i]));
       }
       if (const double share = cover(reach, away); share > 0) blend(x, y, colour, opacity * share);
     }
