@@ -12,6 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
 #include "core/math/four.h"
+#include "core/math/spans.h"
 
 namespace blossom {
 namespace {
@@ -28,11 +29,6 @@ double arc_range(ParameterLaw law, const Interval& span) {
 
 // Hyperbolas are ellipses with an imaginary angle: squares of x change their sign.
 double turn_sign(ParameterLaw law) { return law == ParameterLaw::Angle ? 1 : -1; }
-
-std::size_t span_of(const std::vector<double>& knots, double parameter) {
-  const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
-  return static_cast<std::size_t>(above - knots.begin()) - 1;
-}
 
 struct PatchPlace {
   const RationalBezierPatch* patch;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math/index.h"
+#include "core/math/spans.h"
 
 namespace blossom {
 namespace {
@@ -13,8 +14,7 @@ constexpr int kMaxRows = 20000;
 constexpr int kMaxSparse = 10;  // level of rows
 
 int cell_of(const std::vector<double>& ends, double at) {
-  const auto above = std::upper_bound(ends.begin() + 1, ends.end() - 1, at);
-  return static_cast<int>(above - ends.begin()) - 1;
+  return static_cast<int>(span_of(ends, at));
 }
 
 // A function that is constant in each cell, integrated from the low end of a range.

@@ -10,6 +10,7 @@
 #include "core/base/unbounded.h"
 #include "core/blossom/composition.h"
 #include "core/forms/algebra/degree.h"
+#include "core/math/spans.h"
 #include "core/subdivision/curve_subdivision.h"
 #include "core/tracing/local_form.h"
 
@@ -63,10 +64,9 @@ class Lifting {
       // most.
       const double off = middle - 0.5 * (at.front() + at.back());
       const double shift = period > 0 ? std::round(off / period) * period : 0;
-      const auto next = std::upper_bound(at.begin() + 1, at.end() - 1, middle - shift);
-      span[k] = static_cast<std::size_t>(next - at.begin()) - 1;
+      span[k] = span_of(at, middle - shift);
       const double from = at[span[k]], width = at[span[k] + 1] - from;
-      const bool first = span[k] == 0, last = next == at.end() - 1;
+      const bool first = span[k] == 0, last = span[k] + 2 == at.size();
       inside = inside && (first || low - shift >= from - kBesideKnot * width) &&
                (last || high - shift <= from + (1 + kBesideKnot) * width);
       widths[axis] = width;

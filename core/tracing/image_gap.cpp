@@ -10,6 +10,7 @@
 
 #include "core/base/unbounded.h"
 #include "core/math/roundoff.h"
+#include "core/math/spans.h"
 #include "core/tracing/image_series.h"
 #include "core/tracing/local_form.h"
 #include "core/tracing/sites.h"
@@ -67,12 +68,6 @@ double largest_norm(std::span<const Vec3> points) {
 
 Interval knots(const std::vector<double>& all, int span) {
   return {all[static_cast<std::size_t>(span)], all[static_cast<std::size_t>(span) + 1]};
-}
-
-// The span whose patch holds the middle of the piece.
-int span_at(const std::vector<double>& knots, double parameter) {
-  const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
-  return static_cast<int>(above - knots.begin()) - 1;
 }
 
 // `rounding`: of the piece's points, relative to the largest parameter.
@@ -154,8 +149,8 @@ void ImageGaps::add_cuts(const QuinticPoints& points, std::vector<double>& cuts)
 
 std::optional<ImageGap> ImageGaps::on(const QuinticPoints& piece, int halvings) {
   const Vec7 middle = value_at(piece, 0.5);
-  const int i = span_at(surface_.u_knots, middle[first_]);
-  const int j = span_at(surface_.v_knots, middle[first_ + 1]);
+  const int i = static_cast<int>(span_of(surface_.u_knots, middle[first_]));
+  const int j = static_cast<int>(span_of(surface_.v_knots, middle[first_ + 1]));
   const RationalBezierPatch& patch = surface_.patches(i, j);
   const double rounding = kConvexSums * (2 + halvings);
   const LocalForm u = local(piece, first_, surface_.u_law, knots(surface_.u_knots, i), rounding);

@@ -8,6 +8,7 @@
 
 #include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
+#include "core/math/spans.h"
 
 namespace blossom::occt {
 namespace {
@@ -29,11 +30,6 @@ bool holds_arc_line(const BezierSurface& surface, const Range& box) {
 }
 
 bool has_inner_arcs(const BezierSurface& surface) { return holds_arc_line(surface, {kAll, kAll}); }
-
-std::size_t span_of(const std::vector<double>& knots, double t) {
-  const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, t);
-  return static_cast<std::size_t>(next - knots.begin()) - 1;
-}
 
 // A place is known to within its size, or the tolerance, over the first derivatives; where one
 // vanishes, all of its parameter may be of the place.

@@ -10,6 +10,7 @@
 #include "core/forms/evaluation.h"
 #include "core/math/index.h"
 #include "core/math/matrix.h"
+#include "core/math/spans.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/subdivision/subdivision_matrix.h"
 #include "core/tessellation/charts/cell_jets.h"
@@ -33,9 +34,8 @@ constexpr double kMinPart = 0x1p-30;  // of a span: facets are not narrower
 constexpr double kNoBend = 0.2;       // of the wanted distance: it need not be known better
 constexpr double kThin = 0.01;        // of the wanted distance: spans that move no more are none
 
-int span_of(const std::vector<double>& ends, double parameter) {
-  const auto above = std::upper_bound(ends.begin() + 1, ends.end() - 1, parameter);
-  return static_cast<int>(above - ends.begin()) - 1;
+int cell_at(const std::vector<double>& ends, double parameter) {
+  return static_cast<int>(span_of(ends, parameter));
 }
 
 // Of a range in the cell k.
@@ -82,8 +82,8 @@ struct SpanParts {
   std::array<CellSide, kMaxPatches> sides;
 
   SpanParts(const std::vector<double>& knots, ParameterLaw law, double low, double high)
-      : first(span_of(knots, low)) {
-    count = std::max(first, span_of(knots, std::nextafter(high, low))) - first + 1;
+      : first(cell_at(knots, low)) {
+    count = std::max(first, cell_at(knots, std::nextafter(high, low))) - first + 1;
     for (int k = 0; k < count && count <= kMaxPatches; ++k) {
       const Interval span{knots[index(first + k)], knots[index(first + k + 1)]};
       // A part that is a point has no derivatives.
@@ -188,7 +188,7 @@ Vec2 SplineChart::clamped(const Vec2& uv) const {
 PointNormal SplineChart::frame_at(const Vec2& uv) const {
   const Vec2 at = clamped(uv);
   const double u = at[0], v = at[1];
-  const int i = span_of(surface_.u_knots, u), j = span_of(surface_.v_knots, v);
+  const int i = cell_at(surface_.u_knots, u), j = cell_at(surface_.v_knots, v);
   const Interval span_u{surface_.u_knots[index(i)], surface_.u_knots[index(i + 1)]};
   const Interval span_v{surface_.v_knots[index(j)], surface_.v_knots[index(j + 1)]};
   const PatchJet jet = jet_at(surface_.patches(i, j), local_parameter(surface_.u_law, span_u, u),
@@ -291,9 +291,9 @@ void SplineChart::find_jumps() {
 }
 
 JetEnclosure SplineChart::jet_of_cells(const Vec2& low, const Vec2& high) const {
-  const int i0 = span_of(u_, low[0]), j0 = span_of(v_, low[1]);
-  const int i1 = std::max(i0, span_of(u_, std::nextafter(high[0], low[0])));
-  const int j1 = std::max(j0, span_of(v_, std::nextafter(high[1], low[1])));
+  const int i0 = cell_at(u_, low[0]), j0 = cell_at(v_, low[1]);
+  const int i1 = std::max(i0, cell_at(u_, std::nextafter(high[0], low[0])));
+  const int j1 = std::max(j0, cell_at(v_, std::nextafter(high[1], low[1])));
   if (i0 == i1 && j0 == j1) return jets_(i0, j0);
   return joined_jet(
       i1 - i0 + 1, j1 - j0 + 1,
