@@ -26,10 +26,6 @@ struct CoveringPlane {
   double height = 0;  // of the box on it
 };
 
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-}
-
 gp_Pln plane_of(const Plane& plane) {
   const double largest = max_norm(plane.normal);
   if (!is_finite(plane.point) || !is_finite(plane.normal) || largest == 0)

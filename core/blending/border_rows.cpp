@@ -119,7 +119,7 @@ HomogeneousJet homogeneous_jet(Row row, double t) {
   return {(1 - t) * row[0] + t * row[1], degree * (row[1] - row[0])};
 }
 
-Vec3 in_space(const Vec4& vector, const Vec4& value) {
+Vec3 derivative_in_space(const Vec4& vector, const Vec4& value) {
   const Vec4 difference = vector - (vector[3] / value[3]) * value;
   return Vec3{difference[0], difference[1], difference[2]} * (1 / value[3]);
 }
@@ -200,11 +200,11 @@ Border restarted(const Border& border, double start) {
 SpaceJet jet_at(const Row& row, double t) {
   const HomogeneousJet jet = homogeneous_jet(row, t);
   const Vec4& p = jet.value;
-  return {projected(p), in_space(jet.derivative, p)};
+  return {projected(p), derivative_in_space(jet.derivative, p)};
 }
 
 Vec3 across_at(const Row& edge, const Row& across, double t) {
-  return in_space(homogeneous_jet(across, t).value, homogeneous_jet(edge, t).value);
+  return derivative_in_space(homogeneous_jet(across, t).value, homogeneous_jet(edge, t).value);
 }
 
 Vec3 point_at(const Border& border, double x) {

@@ -54,8 +54,6 @@ CurveSpans moved(CurveSpans curve, const Vec3& origin) {
   return curve;
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
-
 }  // namespace
 
 ValueRange range_along(const CurveCell& cell, int dimension, const Vec3& direction) {

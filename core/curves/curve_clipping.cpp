@@ -186,13 +186,12 @@ bool is_outside(const CurveCell& cell, const Vec3& point, double reach) {
   const auto to = [&](int i) {
     return Vec3{cell.hull[i] - point[0], cell.hull[n + i] - point[1], 0};
   };
-  const auto turn = [](const Vec3& a, const Vec3& b) { return a[0] * b[1] - a[1] * b[0]; };
   Vec3 right = to(0), left = right;
   for (int i = 1; i < n; ++i) {
     const Vec3 v = to(i);
-    if (turn(left, v) > 0)
+    if (cross_z(left, v) > 0)
       left = v;
-    else if (turn(right, v) < 0)
+    else if (cross_z(right, v) < 0)
       right = v;
   }
   const Vec3 middle = unit(unit(left) + unit(right));

@@ -35,8 +35,6 @@ std::optional<Vec2> newton_step(const CurveFoot& foot) {
   return Vec2{(along * dt - dot(q1, gap)) / speed, dt};
 }
 
-double cross_z(const Vec3& a, const Vec3& b) { return a[0] * b[1] - a[1] * b[0]; }
-
 // Sectors of less than half a turn are are_apart as lines if all turns from one to the other have
 // one sign; then the least sine is that of two of their sides.
 std::optional<double> least_sine_in_plane(const CurveCell& a, const CurveCell& b) {

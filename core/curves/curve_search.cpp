@@ -294,7 +294,6 @@ bool CurveSearch::settle(const CurvePair& pair, double sine) {
 // The common point of the curves' continuations lies outside: proven by the cones at the nearest
 // border.
 bool CurveSearch::settle_outside(const CurvePair& pair, CurveFoot foot) {
-  const auto turn = [](const Vec3& a, const Vec3& b) { return a[0] * b[1] - a[1] * b[0]; };
   const auto clamped = [](double t, const Interval& cell) {
     return std::clamp(t, cell.from, cell.to);
   };
@@ -303,10 +302,10 @@ bool CurveSearch::settle_outside(const CurvePair& pair, CurveFoot foot) {
   foot = foot_at(pair, {foot.a.span, t}, {foot.b.span, clamped(foot.b.t, pair.b.local)});
   // Where the other curve lies straight ahead of the border.
   if (moved) {
-    const double step = turn(pair.a.axis, foot.gap()) / turn(pair.a.axis, foot.jet_b.first);
+    const double step = cross_z(pair.a.axis, foot.gap()) / cross_z(pair.a.axis, foot.jet_b.first);
     foot = foot_at(pair, foot.a, {foot.b.span, clamped(foot.b.t + step, pair.b.local)});
   } else {
-    const double step = -turn(pair.b.axis, foot.gap()) / turn(pair.b.axis, foot.jet_a.first);
+    const double step = -cross_z(pair.b.axis, foot.gap()) / cross_z(pair.b.axis, foot.jet_a.first);
     foot = foot_at(pair, {foot.a.span, clamped(foot.a.t + step, pair.a.local)}, foot.b);
   }
   return cones_exclude(pair, foot);

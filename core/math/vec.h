@@ -52,6 +52,8 @@ using Vec3 = Vec<double, 3>;
 /// Homogeneous point (wx, wy, wz, w).
 using Vec4 = Vec<double, 4>;
 
+inline Vec3 head(const Vec4& p) { return {p[0], p[1], p[2]}; }
+
 /// The point in space of a homogeneous one; its weight must not be 0.
 inline Vec3 projected(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
 
@@ -67,6 +69,11 @@ Vec<Scalar, 3> cross(const Vec<Scalar, 3>& a, const Vec<Scalar, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+inline double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// The last coordinate of the vector product.
+inline double cross_z(const Vec3& a, const Vec3& b) { return a[0] * b[1] - a[1] * b[0]; }
+
 template <int Dim>
 double norm(const Vec<double, Dim>& a) {
   return std::sqrt(dot(a, a));
@@ -75,6 +82,15 @@ double norm(const Vec<double, Dim>& a) {
 template <int Dim>
 double distance(const Vec<double, Dim>& a, const Vec<double, Dim>& b) {
   return norm(a - b);
+}
+
+/// In [0, pi].
+inline double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
+inline bool is_finite(const Vec3& v) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
 /// The absolute values of the coordinates.

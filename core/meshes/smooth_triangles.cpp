@@ -19,10 +19,6 @@ constexpr double kEqualNormals = 1e-9;       // radians: roundings of averages
 constexpr int kPlaces = 7;                   // of a side at which normals are compared
 constexpr std::size_t kAskTriangles = 1024;  // triangles
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(norm(cross(a, b)), dot(a, b));
-}
-
 Corners corners_of(std::span<const Vec3> points, const std::array<int, 3>& triangle) {
   return {points[index(triangle[0])], points[index(triangle[1])], points[index(triangle[2])]};
 }

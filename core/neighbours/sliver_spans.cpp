@@ -17,7 +17,7 @@ namespace {
 constexpr double kOnSide = 1e-7;       // chart coordinates: an edge so near to a border is on it
 constexpr double kSameBorder = 1e-12;  // of the coordinates: borders that near are a seam
 
-Vec3 in_space(const Vec4& p) { return {p[0] / p[3], p[1] / p[3], p[2] / p[3]}; }
+Vec3 over_weight(const Vec4& p) { return {p[0] / p[3], p[1] / p[3], p[2] / p[3]}; }
 
 // A border of the surface, seen across: its spans and points are counted from there.
 struct Border {
@@ -98,9 +98,9 @@ double sliver_width(const Border& border, const BezierSurface& surface) {
     double across = 0;
     for (int along = 0; along < border.points_along(patch); ++along)
       for (int i = 0; i <= inner; ++i) {
-        const Vec3 x = in_space(border.point(patch, i, along));
+        const Vec3 x = over_weight(border.point(patch, i, along));
         box = joined(box, {x, x});
-        across = std::max(across, distance(x, in_space(border.point(patch, inner, along))));
+        across = std::max(across, distance(x, over_weight(border.point(patch, inner, along))));
       }
     width = std::max(width, across + moved_by_weights(patch, box));
   }
@@ -114,8 +114,8 @@ double distance_of_borders(const Border& border, const BezierSurface& surface) {
     const RationalBezierPatch& here = border.patch(surface, k);
     const RationalBezierPatch& there = border.opposite().patch(surface, k);
     for (int along = 0; along < border.points_along(here); ++along)
-      gap = std::max(gap, distance(in_space(border.point(here, 0, along)),
-                                   in_space(border.opposite().point(there, 0, along))));
+      gap = std::max(gap, distance(over_weight(border.point(here, 0, along)),
+                                   over_weight(border.opposite().point(there, 0, along))));
   }
   return gap;
 }
@@ -126,7 +126,7 @@ void move_to_opposite(const Border& border, BezierSurface& surface) {
     const RationalBezierPatch& there = border.opposite().patch(surface, k);
     for (int along = 0; along < border.points_along(here); ++along) {
       Vec4& p = border.point(here, 0, along);
-      const Vec3 x = in_space(border.opposite().point(there, 0, along));
+      const Vec3 x = over_weight(border.opposite().point(there, 0, along));
       p = {x[0] * p[3], x[1] * p[3], x[2] * p[3], p[3]};
     }
   }
@@ -180,10 +180,10 @@ double width_across(const RationalBezierPatch& patch, int across) {
   double width = 0;
   for (int along = 0; along < lines.points_along(patch); ++along)
     for (int i = 0; i <= last; ++i) {
-      const Vec3 x = in_space(lines.point(patch, i, along));
+      const Vec3 x = over_weight(lines.point(patch, i, along));
       box = joined(box, {x, x});
       for (int k = 0; k < i; ++k)
-        width = std::max(width, distance(x, in_space(lines.point(patch, k, along))));
+        width = std::max(width, distance(x, over_weight(lines.point(patch, k, along))));
     }
   return width + moved_by_weights(patch, box);
 }

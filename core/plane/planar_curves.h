@@ -91,7 +91,6 @@ inline bool holds(const PlanarBox& box, const Vec2& point, double margin = 0) {
 }
 
 inline Vec2 projected(const Vec3& point) { return {point[0] / point[2], point[1] / point[2]}; }
-inline double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// The parameter whose point is nearest to `target`, and how near it is. Found from samples and
 /// Newton's method: for points that lie near the curve, not a proof of the global minimum.

@@ -16,10 +16,6 @@ namespace {
 // Parameters of one root that two cells of a patch find differ by rounding only.
 constexpr double kSameRoot = 1e-8;
 
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-}
-
 void validate(const Ray& ray) {
   if (!is_finite(ray.origin)) throw InvalidInput("ray: the origin is not finite");
   if (!is_finite(ray.direction)) throw InvalidInput("ray: the direction is not finite");

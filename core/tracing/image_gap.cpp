@@ -102,8 +102,6 @@ std::array<double, 3> values_of(const LocalForm& form) {
   return {form.points().front(), p.front(), form.points().back()};
 }
 
-Vec3 in_space(const Vec4& p) { return {p[0], p[1], p[2]}; }
-
 PowerSeries<double> weight_of(const PowerSeries<Vec4>& image) {
   PowerSeries<double> weight;
   for (std::size_t k = 0; k <= kSeriesDegree; ++k) weight.terms[k] = image.terms[k][3];
@@ -115,8 +113,8 @@ PowerSeries<double> weight_of(const PowerSeries<Vec4>& image) {
 PowerSeries<Vec3> difference(const PowerSeries<Vec4>& image, const PowerSeries<Vec3>& weighted) {
   PowerSeries<Vec3> result;
   for (std::size_t k = 0; k <= kSeriesDegree; ++k)
-    result.terms[k] = in_space(image.terms[k]) - weighted.terms[k];
-  result.rest = in_space(image.rest) + weighted.rest;
+    result.terms[k] = head(image.terms[k]) - weighted.terms[k];
+  result.rest = head(image.rest) + weighted.rest;
   return result;
 }
 
@@ -204,16 +202,16 @@ std::optional<ImageGap> ImageGaps::composed(const RationalBezierPatch& patch, co
   const double reach = norm(absolute_sum(curve));
   // (X / w)' = (X' - (X / w) w') / w.
   const auto slope = [&](const Vec4& by) {
-    return 1.1 * inverse * (norm(in_space(by)) + (reach + seen) * by[3]);
+    return 1.1 * inverse * (norm(head(by)) + (reach + seen) * by[3]);
   };
   const double slope_u = slope(series.slope_u), slope_v = slope(series.slope_v);
   const double rest = norm(gap.rest) + u.error * slope_u + v.error * slope_v;
   if (!(rest <= std::max(kFormError, kRestShare * seen))) return {};
   const double weight = surface_.rational ? series.size[3] : 1;
   const double rounded =
-      max_norm(in_space(series.rounding)) + (surface_.rational ? series.rounding[3] * reach : 0) +
+      max_norm(head(series.rounding)) + (surface_.rational ? series.rounding[3] * reach : 0) +
       (rounding + 4 * kUnitRoundoff) *
-          (max_norm(in_space(series.size)) + weight * (max_norm(origin) + reach)) +
+          (max_norm(head(series.size)) + weight * (max_norm(origin) + reach)) +
       weight * (power_rounding(kFitDegree) * largest_norm(points) + 64 * kUnitRoundoff * reach);
   result.margin = 2 * rounded * inverse + rest + u.rounding * slope_u + v.rounding * slope_v;
   return result;

@@ -35,8 +35,6 @@ namespace {
 constexpr int kSideDegree = 5;  // of the curves that take the place of edges
 constexpr int kMaxRounds = 12;  // of dividing edges until all faces agree
 
-Vec3 space(const Vec4& p) { return {p[0], p[1], p[2]}; }
-
 void check(const CommonModel& model, const WatertightOptions& options) {
   const auto in = [](int i, std::size_t count) { return 0 <= i && index(i) < count; };
   for (const CommonEdge& edge : model.edges)
@@ -363,12 +361,12 @@ class Builder {
     const RegionForm form = bezier_form(surface, piece);
     if (const auto* given = std::get_if<RationalBezierTriangle>(&form)) {
       BezierTriangle own{given->degree, {}};
-      for (const Vec4& p : given->points) own.points.push_back(space(p));
+      for (const Vec4& p : given->points) own.points.push_back(head(p));
       return flat_if_it_is(own);
     }
     const Grid<Vec4>& net = std::get<RationalBezierPatch>(form).points;
     BezierPatch own{Grid<Vec3>(net.rows(), net.columns())};
-    std::ranges::transform(net.values(), own.points.values().begin(), space);
+    std::ranges::transform(net.values(), own.points.values().begin(), head);
     return own;
   }
 

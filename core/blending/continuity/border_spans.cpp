@@ -119,21 +119,18 @@ CurveDerivatives<Vec4> derivatives_of(const std::vector<Vec4>& row, double t) {
   return derivatives_at(RationalBezierCurve{row}, t);
 }
 
-Vec3 head_of(const Vec4& p) { return {p[0], p[1], p[2]}; }
-
 /// By the quotient rule, u along the edge and v into the face.
 PatchJet jet_of(const BorderSpan& span, double t) {
   const auto x = derivatives_of(span.edge, t), y = derivatives_of(span.across, t);
   const Vec4 z = derivatives_of(span.bend, t).point;
   const double r = 1 / x.point[3];
   PatchJet jet{};
-  jet.point = r * head_of(x.point);
-  jet.u = r * (head_of(x.first) - x.first[3] * jet.point);
-  jet.v = r * (head_of(y.point) - y.point[3] * jet.point);
-  jet.uu = r * (head_of(x.second) - 2 * x.first[3] * jet.u - x.second[3] * jet.point);
-  jet.uv =
-      r * (head_of(y.first) - x.first[3] * jet.v - y.point[3] * jet.u - y.first[3] * jet.point);
-  jet.vv = r * (head_of(z) - 2 * y.point[3] * jet.v - z[3] * jet.point);
+  jet.point = r * head(x.point);
+  jet.u = r * (head(x.first) - x.first[3] * jet.point);
+  jet.v = r * (head(y.point) - y.point[3] * jet.point);
+  jet.uu = r * (head(x.second) - 2 * x.first[3] * jet.u - x.second[3] * jet.point);
+  jet.uv = r * (head(y.first) - x.first[3] * jet.v - y.point[3] * jet.u - y.first[3] * jet.point);
+  jet.vv = r * (head(z) - 2 * y.point[3] * jet.v - z[3] * jet.point);
   return jet;
 }
 

@@ -44,7 +44,7 @@ Vec3 tangent(const EdgeSide& side) {
 Vec3 normal(const EdgeSide& side) { return cross(side.jet.u, side.jet.v); }
 
 /// Twice the arc sine of half the chord, for all angles.
-double angle_between(const Vec3& a, const Vec3& b) {
+double angle_of_units(const Vec3& a, const Vec3& b) {
   return 2 * std::atan2(norm(a - b), norm(a + b));
 }
 
@@ -105,7 +105,7 @@ Figures figures_at(const MeasuredBorder& a, const MeasuredBorder& b, double t, d
   };
   std::array<double, 3> difference;
   for (std::size_t i = 0; i < 3; ++i) difference[i] = of_a.shape[i] - of_b.shape[i];
-  figures[kAngle] = angle_between(of_a.normal, of_b.normal);
+  figures[kAngle] = angle_of_units(of_a.normal, of_b.normal);
   figures[kDifference] = norm_of(difference);
   figures[kCurvature] =
       figures[kDifference] / std::max({norm_of(of_a.shape), norm_of(of_b.shape), flat});

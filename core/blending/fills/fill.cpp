@@ -106,10 +106,6 @@ EndTangents tangents(const FillSide& side, int end) {
   return result;
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(norm(cross(a, b)), dot(a, b));
-}
-
 /// The tangents at the corner that begins side k.
 struct Corner {
   std::size_t k;

@@ -12,8 +12,6 @@
 namespace blossom {
 namespace {
 
-double det(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
-
 /// Identity of a control point up to turns: role of its vertex; both roles of its edge, how many
 /// sectors lie between them, and the place on it; or its place inside of a quad.
 using PointKey = std::tuple<int, int, int, int, int>;
@@ -113,10 +111,10 @@ EdgeFrame frame_at(const PolygonLayout& layout, const SharedQuadEdge& edge, doub
 FillRow first_order_row(const FillPoints& points, const SharedQuadEdge& edge, const EdgeFrame& at,
                         double t) {
   FillRow row;
-  const double scale = 1 / (det(at.e, at.A) * points.degree);
+  const double scale = 1 / (cross(at.e, at.A) * points.degree);
   const EdgeForms a(points, edge.a, t, false), b(points, edge.b, t, true);
-  a.along(row, scale * det(at.A, at.B));
-  a.across(row, scale * det(at.B, at.e));
+  a.along(row, scale * cross(at.A, at.B));
+  a.across(row, scale * cross(at.B, at.e));
   b.across(row, 1.0 / points.degree);
   return row;
 }
@@ -125,9 +123,9 @@ FillRow second_order_row(const FillPoints& points, const SharedQuadEdge& edge, c
                          double t) {
   FillRow row;
   row.second_order = true;
-  const double area = det(at.e, at.A);
-  const double p = det(at.B, at.A) / area, q = det(at.e, at.B) / area;
-  const double p1 = det(at.twist, at.A) / area, q1 = det(at.e, at.twist) / area;
+  const double area = cross(at.e, at.A);
+  const double p = cross(at.B, at.A) / area, q = cross(at.e, at.B) / area;
+  const double p1 = cross(at.twist, at.A) / area, q1 = cross(at.e, at.twist) / area;
   const double scale = 1.0 / (points.degree * (points.degree - 1));
   const EdgeForms a(points, edge.a, t, false), b(points, edge.b, t, true);
   b.across_twice(row, scale);
@@ -187,7 +185,7 @@ SecondForms second_forms(const std::array<Vec2, 4>& c, const BernsteinJet& u, co
   const Vec2 by = (1 - x) * (c[3] - c[0]) + x * (c[2] - c[1]);
   const Vec2 twist = c[2] - c[1] - c[3] + c[0];
   SecondForms forms;
-  forms.area = det(bx, by);
+  forms.area = cross(bx, by);
   // The plane's unit vectors are g bx + h by.
   const Vec2 g = Vec2{by[1], -by[0]} * (1 / forms.area), h = Vec2{-bx[1], bx[0]} * (1 / forms.area);
   const double tx = dot(g, twist), ty = dot(h, twist);

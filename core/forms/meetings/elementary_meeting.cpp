@@ -17,8 +17,6 @@ constexpr double kMinSine = 1e-3;
 
 using Known = std::optional<ElementaryMeeting>;
 
-double turn(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
-
 // A unit vector across another one.
 Vec3 any_across(const Vec3& axis) {
   const Vec3 along = std::abs(axis[0]) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -111,12 +109,12 @@ void add_crossing(Profile& profile, const Vec2& at, double sine) {
 // Lines that hardly cross are known where they do not, up to a distance from the origin.
 void meet(const ProfileLine& a, const ProfileLine& b, double contact, double reach,
           Profile& profile) {
-  const double sine = turn(a.direction, b.direction);
+  const double sine = cross(a.direction, b.direction);
   const Vec2 between = b.point - a.point;
   if (std::abs(sine) >= kMinSine)
-    return add_crossing(profile, a.point + turn(between, b.direction) / sine * a.direction,
+    return add_crossing(profile, a.point + cross(between, b.direction) / sine * a.direction,
                         std::abs(sine));
-  const double apart = std::abs(turn(between, a.direction));
+  const double apart = std::abs(cross(between, a.direction));
   if (apart - std::abs(sine) * (reach + norm(b.point)) <= contact) profile.open = true;
 }
 

@@ -7,7 +7,6 @@
 
 namespace blossom {
 
-inline Vec3 head(const Vec4& p) { return {p[0], p[1], p[2]}; }
 inline Vec4 with_weight(const Vec3& head, double weight) {
   return {head[0], head[1], head[2], weight};
 }
