@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/base/unbounded.h"
-#include "core/bounds/interval_pairs.h"
 #include "core/curves/contact_length.h"
 #include "core/curves/overlap_place.h"
+#include "core/math/interval.h"
 
 namespace blossom {
 namespace {

@@ -9,13 +9,10 @@
 #include <vector>
 
 #include "core/curves/curve_search.h"
+#include "core/math/interval.h"
 #include "core/results/curve_result.h"
 
 namespace blossom {
-
-inline Interval increasing(const Interval& x) {
-  return {std::min(x.from, x.to), std::max(x.from, x.to)};
-}
 
 class CurveAssembly {
  public:

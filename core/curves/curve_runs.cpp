@@ -8,11 +8,11 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/unbounded.h"
-#include "core/bounds/interval_pairs.h"
 #include "core/curves/contact_length.h"
 #include "core/curves/curve_assembly.h"
 #include "core/curves/shared_curve.h"
 #include "core/math/functions/golden_section.h"
+#include "core/math/interval.h"
 
 namespace blossom {
 namespace {

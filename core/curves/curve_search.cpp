@@ -6,6 +6,7 @@
 
 #include "core/base/work_limit.h"
 #include "core/curves/limits.h"
+#include "core/math/interval.h"
 
 namespace blossom {
 namespace {
@@ -43,8 +44,6 @@ double sine_between(const CurveFoot& foot) {
   const Vec3 &p = foot.jet_a.first, &q = foot.jet_b.first;
   return norm(cross(p, q)) / (norm(p) * norm(q));
 }
-
-bool meet(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
 
 // Both cones within less than a right angle of one direction: all tangents of the two pieces have
 // a positive component along it, so one curve that runs through both does not meet itself.
@@ -217,14 +216,14 @@ bool CurveSearch::is_shared(const CurvePair& pair) const {
     const LinearRational& map = known.shared.map;
     const Interval part{std::max(pair.a.local.from, map.from.from),
                         std::min(pair.a.local.to, map.from.to)};
-    if (part.from > part.to || !meet(image(map, part), pair.b.local)) continue;
+    if (part.from > part.to || !overlap(image(map, part), pair.b.local)) continue;
     if (turns_little(pair.a, pair.b, map.to.to > map.to.from ? 1 : -1)) return true;
   }
   return false;
 }
 
 bool CurveSearch::are_neighbours(const CurveCell& a, const CurveCell& b) const {
-  if (a.span == b.span) return meet(a.local, b.local);
+  if (a.span == b.span) return overlap(a.local, b.local);
   const auto follows = [&](const CurveCell& x, const CurveCell& y) {
     const bool next = y.span == x.span + 1;
     const bool seam = a_.closed() && x.span == a_.spans() - 1 && y.span == 0;

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "core/base/unbounded.h"
-#include "core/bounds/interval_pairs.h"
+#include "core/math/interval.h"
 
 namespace blossom {
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/unbounded.h"
+#include "core/math/periods.h"
 
 namespace blossom {
 namespace {
@@ -46,7 +47,7 @@ Vec2 ChartProjector::in_turn_of(const Vec2& near, Vec2 uv) const {
   const Vec2 &low = surface_.low, &high = surface_.high;
   const Vec2 &period = surface_.period, &closed = surface_.closed;
   for (int k = 0; k < 2; ++k) {
-    if (period[k] > 0) uv[k] += period[k] * std::round((near[k] - uv[k]) / period[k]);
+    uv[k] = unwrapped(uv[k], near[k], period[k]);
     if (closed[k] == 0) continue;
     const double slack = kSeam * closed[k];
     if (uv[k] < low[k] + slack && near[k] > uv[k] + 0.5 * closed[k])

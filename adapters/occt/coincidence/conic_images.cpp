@@ -9,6 +9,7 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "core/base/unbounded.h"
+#include "core/math/periods.h"
 #include "core/results/hermite_curves.h"
 #include "core/tracing/spline_fit.h"
 
@@ -102,10 +103,7 @@ Vec2 FormImages::past_seam(std::size_t k, double t, const std::optional<Vec2>& n
   Vec2 at = uv(k, t, near);
   const SurfaceJet frame = frame_at(sheet.feet.surface(), at);
   at += chart_step(frame, jet_of(form_, t)[0] - frame.point);
-  for (int d = 0; near && d < 2; ++d)
-    if (sheet.period[d] > 0)
-      at[d] += sheet.period[d] * std::round(((*near)[d] - at[d]) / sheet.period[d]);
-  return at;
+  return near ? unwrapped(at, *near, sheet.period) : at;
 }
 
 // A point on a seam, to rounding, stays in the window it was in: a curve may run along the seam.

@@ -10,6 +10,7 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "core/forms/surface_match.h"
+#include "core/math/interval.h"
 #include "core/self_intersection.h"
 
 namespace blossom::occt {
@@ -28,12 +29,8 @@ ParameterBox bounds_of(const Handle(Geom_Surface) & surface) {
   return box;
 }
 
-bool holds(const Interval& outer, const Interval& inner) {
-  return outer.from <= inner.from && inner.to <= outer.to;
-}
-
 bool holds(const ParameterBox& outer, const ParameterBox& inner) {
-  return holds(outer.u, inner.u) && holds(outer.v, inner.v);
+  return within(inner.u, outer.u) && within(inner.v, outer.v);
 }
 
 std::array<Vec3, 4> corners(const Handle(Geom_Surface) & surface, const ParameterBox& box) {

@@ -8,15 +8,13 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
+#include "core/math/interval.h"
+
 namespace blossom::occt {
 namespace {
 
 constexpr int kChords = 16;
 constexpr double kEndPart = 0.25;
-
-Interval increasing(const Interval& of) {
-  return {std::min(of.from, of.to), std::max(of.from, of.to)};
-}
 
 // Uses along an edge have the middle half of their range.
 Interval whole_range(const Interval& middle) {

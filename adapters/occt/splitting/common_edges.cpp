@@ -22,6 +22,7 @@
 #include "adapters/occt/splitting/limits.h"
 #include "core/base/sampled_margin.h"
 #include "core/bounds/box_tree.h"
+#include "core/math/interval.h"
 
 namespace blossom::occt {
 namespace {
@@ -44,10 +45,6 @@ Box spline_box(const Spline& curve) {
   Box box;
   for (const Vec3& p : curve.points) box = joined(box, {p, p});
   return box;
-}
-
-Interval increasing(const Interval& of) {
-  return {std::min(of.from, of.to), std::max(of.from, of.to)};
 }
 
 }  // namespace

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "core/base/unbounded.h"
-#include "core/bounds/interval_pairs.h"
 #include "core/bounds/value_arithmetic.h"
 #include "core/cells/cell_bend.h"
 #include "core/curves/limits.h"
 #include "core/math/functions/convex_gap.h"
+#include "core/math/interval.h"
 
 namespace blossom {
 namespace {

@@ -13,6 +13,7 @@
 #include "core/cells/cell_pair.h"
 #include "core/cells/direction_cones.h"
 #include "core/forms/evaluation.h"
+#include "core/math/interval.h"
 #include "core/surfaces/adjacency/cell_descent.h"
 #include "core/surfaces/adjacency/limits.h"
 #include "core/surfaces/adjacency/patch_sides.h"
@@ -80,10 +81,6 @@ bool is_smooth(const Slopes& p, const Slopes& q) {
 
 VectorBounds turned(const VectorBounds& x, bool back) {
   return back ? VectorBounds{-x.middle, x.radius} : x;
-}
-
-Interval hull(const Interval& x, const Interval& y) {
-  return {std::min(x.from, y.from), std::max(x.to, y.to)};
 }
 
 Interval hull(const Interval& x, double t) { return hull(x, Interval{t, t}); }

@@ -7,6 +7,7 @@
 
 #include "core/base/unbounded.h"
 #include "core/forms/evaluation.h"
+#include "core/math/periods.h"
 #include "core/surfaces/coincidence/border_overlaps.h"
 
 namespace blossom {
@@ -36,13 +37,6 @@ Vec2 over_surface(const SurfaceCells& own, const ContactPoint& p, bool of_a) {
 Vec2 periods(const BezierSurface& surface) {
   return {surface.closed_u ? static_cast<double>(surface.patches.rows()) : 0.0,
           surface.closed_v ? static_cast<double>(surface.patches.columns()) : 0.0};
-}
-
-// The value of p nearest to `near`, whole periods added.
-Vec2 unwrapped(Vec2 p, const Vec2& near, const Vec2& period) {
-  for (int k = 0; k < 2; ++k)
-    if (period[k] > 0) p[k] += period[k] * std::round((near[k] - p[k]) / period[k]);
-  return p;
 }
 
 using Polygon = std::vector<Vec2>;

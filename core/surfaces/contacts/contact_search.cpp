@@ -5,11 +5,11 @@
 #include <cmath>
 #include <optional>
 
-#include "core/bounds/interval_pairs.h"
 #include "core/cells/cell_pair.h"
 #include "core/cells/cell_part.h"
 #include "core/cells/limits.h"
 #include "core/forms/evaluation.h"
+#include "core/math/interval.h"
 #include "core/surfaces/contacts/contact_cuts.h"
 #include "core/surfaces/gap/cells/foot_borders.h"
 #include "core/surfaces/gap/cells/odd_contact.h"

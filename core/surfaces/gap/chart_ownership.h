@@ -11,7 +11,6 @@
 #include <set>
 #include <vector>
 
-#include "core/bounds/interval_pairs.h"
 #include "core/math/interval.h"
 
 namespace blossom {

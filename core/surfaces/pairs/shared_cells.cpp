@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/forms/evaluation.h"
+#include "core/math/interval.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/surfaces/gap/gap_model.h"
 
@@ -18,14 +19,6 @@ constexpr int kLookEvery = 16;
 
 double turn(const Cell& c) {
   return norm(c.du.radius) / norm(c.du.middle) + norm(c.dv.radius) / norm(c.dv.middle);
-}
-
-bool within(const Interval& inner, const Interval& outer) {
-  return inner.from >= outer.from && inner.to <= outer.to;
-}
-
-Interval joined(const Interval& x, const Interval& y) {
-  return {std::min(x.from, y.from), std::max(x.to, y.to)};
 }
 
 // What x has in common with `bounds`; if it lies outside by at most `slack`, the end next to it.
@@ -53,7 +46,7 @@ std::optional<SharedPart> SharedCells::part(const Cell& a, const Cell& b) const 
   if (!chart_ || !(turn(a) + turn(b) < kMaxTurn)) return std::nullopt;
   if (!within(a.u, chart_->domain[0]) || !within(a.v, chart_->domain[1])) return std::nullopt;
   const auto foot = chart_->image(a.u, a.v);
-  const auto graph = graph_chart(b_, joined(foot[0], b.u), joined(foot[1], b.v), kWidening);
+  const auto graph = graph_chart(b_, hull(foot[0], b.u), hull(foot[1], b.v), kWidening);
   if (!graph) return std::nullopt;
   // The surfaces agree within the tolerance: so do the true feet with those of the maps.
   const PatchJet jet = jet_at(b_.patch(), at(b.u, 0.5), at(b.v, 0.5), 1);

@@ -13,6 +13,7 @@
 #include "core/base/work_limit.h"
 #include "core/cells/cell_pair.h"
 #include "core/cells/pair_model.h"
+#include "core/math/interval.h"
 #include "core/surfaces/branches/arcs_along_borders.h"
 #include "core/surfaces/contacts/contact_search.h"
 #include "core/surfaces/gap/gap_model.h"
@@ -382,15 +383,11 @@ class Search {
       ContactTask task{all.patch_a, all.patch_b, {index}, {}, all.band_b};
       for (const CellsPair& pair : near) {
         const Cell& a = tree[pair.cell_a];
-        if (holds(whole.u, a.u) && holds(whole.v, a.v))
+        if (blossom::within(a.u, whole.u) && blossom::within(a.v, whole.v))
           task.parts_b.push_back({tree[pair.cell_b].u, tree[pair.cell_b].v});
       }
       search_contacts(a_, b_, task, size_, known_, options_, limit_, result_);
     }
-  }
-
-  static bool holds(const Interval& outer, const Interval& inner) {
-    return outer.from <= inner.from && inner.to <= outer.to;
   }
 
   static void collect_dirty(const CellTree& tree, int index, bool inside,

@@ -11,6 +11,7 @@
 #include "core/cells/cell_pair.h"
 #include "core/cells/direction_cones.h"
 #include "core/cells/flat_border.h"
+#include "core/math/interval.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
@@ -49,12 +50,10 @@ struct Place {
   Interval u, v;
 };
 
-bool touch(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
-
 bool touch(const Interval& a, const Interval& b, bool seam, double period) {
-  if (touch(a, b)) return true;
-  return seam &&
-         (touch({a.from + period, a.to + period}, b) || touch({a.from - period, a.to - period}, b));
+  if (overlap(a, b)) return true;
+  return seam && (overlap({a.from + period, a.to + period}, b) ||
+                  overlap({a.from - period, a.to - period}, b));
 }
 
 Vec3 point_of(const Vec4& p) { return {p[0] / p[3], p[1] / p[3], p[2] / p[3]}; }
