@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "core/base/unbounded.h"
+#include "core/math/functions/bisection.h"
 #include "core/neighbours/limits.h"
 
 namespace blossom {
@@ -103,13 +104,10 @@ double reached(const PlanarCurve& curve, double start, int k, double value, doub
 }
 
 // Of a curve that is a graph over a coordinate: the parameter at a value of it.
-double parameter_where(const PlanarCurve& curve, Interval range, int k, double value) {
+double parameter_where(const PlanarCurve& curve, const Interval& range, int k, double value) {
   const bool rising = point_at(curve, range.to)[k] > point_at(curve, range.from)[k];
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (range.from + range.to);
-    ((point_at(curve, middle)[k] > value) == rising ? range.to : range.from) = middle;
-  }
-  return range.from;
+  const auto is_before = [&](double t) { return (point_at(curve, t)[k] > value) != rising; };
+  return bisected(range, kBisections, is_before).from;
 }
 
 // Whether another curve is proven to keep on the inner side of a piece of a stretch, in as much of

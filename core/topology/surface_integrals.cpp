@@ -12,6 +12,7 @@
 #include "core/base/not_zero.h"
 #include "core/base/unbounded.h"
 #include "core/forms/iso_line.h"
+#include "core/math/functions/bisection.h"
 #include "core/math/functions/quadrature.h"
 #include "core/surfaces/retry/near_origin.h"
 
@@ -34,7 +35,8 @@ constexpr double kNoHeight = 1e-14;
 constexpr long kHalvingsOfLines = 1L << 18;
 constexpr long kHalvingsOfWires = 1L << 10;
 
-constexpr int kDensityCells = 4;  // each way: where a density is looked at to see its size
+constexpr int kCrossingHalvings = 50;  // of a part of a span: up to rounding of its parameters
+constexpr int kDensityCells = 4;       // each way: where a density is looked at to see its size
 
 // Some numbers that are integrated together, and what the rounding of each is relative to: more,
 // where it is a difference.
@@ -268,12 +270,8 @@ std::vector<double> breaks(const PlanarBezier& curve, int y, double scale,
     const double at_from = height(from), at_to = height(to);
     for (const double knot : knots) {
       if ((at_from < knot) == (at_to < knot)) continue;
-      double low = from, high = to;
-      for (int k = 0; k < 50; ++k) {
-        const double middle = 0.5 * (low + high);
-        ((height(middle) < knot) == (at_from < knot) ? low : high) = middle;
-      }
-      at.push_back(high);
+      const auto is_before = [&](double t) { return (height(t) < knot) == (at_from < knot); };
+      at.push_back(bisected({from, to}, kCrossingHalvings, is_before).to);
     }
   }
   std::sort(at.begin(), at.end());

@@ -27,6 +27,7 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "core/forms/quintic_spline.h"
+#include "core/math/functions/bisection.h"
 #include "core/math/functions/golden_section.h"
 
 namespace blossom::occt {
@@ -217,10 +218,7 @@ std::vector<Interval> CurveBeside::between_poles(const Interval& run) const {
       Interval around{at(run, static_cast<double>(i) / kEdgeSamples),
                       at(run, (i + 1.0) / kEdgeSamples)};
       if (approach(around.from) > 0 || approach(around.to) <= 0) continue;
-      for (int halving = 0; halving < kHalvings; ++halving) {
-        const double middle = at(around, 0.5);
-        (approach(middle) > 0 ? around.to : around.from) = middle;
-      }
+      around = bisected(around, kHalvings, [&](double t) { return !(approach(t) > 0); });
       const double least = least_piece(run);
       if (feet_.pole_at(in_space(around.to).point) != &pole || around.to < run.from + least ||
           around.to > run.to - least)
@@ -250,11 +248,7 @@ bool CurveBeside::lies_on(double t, const RunLimits& limits) const {
 double CurveBeside::run_end(double on, double off, RunLimits limits) const {
   const RunLimits sharp{limits.reach, kFitShare * kFitShare * limits.past};
   if (lies_on(on, sharp)) limits = sharp;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (on + off);
-    (lies_on(middle, limits) ? on : off) = middle;
-  }
-  return on;
+  return bisected({on, off}, kHalvings, [&](double t) { return lies_on(t, limits); }).from;
 }
 
 // Where between two parameters the curve is nearest to the border, or farthest past it.
@@ -327,13 +321,12 @@ void CurveBeside::add_knot_lines(const Interval& run, std::vector<double>& joint
         const Vec2 &from = samples[static_cast<std::size_t>(i)],
                    &to = samples[static_cast<std::size_t>(i) + 1];
         if ((from[k] < knot) == (to[k] < knot)) continue;
-        Interval around{at(run, static_cast<double>(i) / kEdgeSamples),
-                        at(run, (i + 1.0) / kEdgeSamples)};
-        for (int halving = 0; halving < kHalvings; ++halving) {
-          const double middle = at(around, 0.5);
-          ((jet(middle, from).uv[k] < knot) == (from[k] < knot) ? around.from : around.to) = middle;
-        }
-        joints.push_back(around.to);
+        const Interval around{at(run, static_cast<double>(i) / kEdgeSamples),
+                              at(run, (i + 1.0) / kEdgeSamples)};
+        const auto is_before = [&](double t) {
+          return (jet(t, from).uv[k] < knot) == (from[k] < knot);
+        };
+        joints.push_back(bisected(around, kHalvings, is_before).to);
       }
 }
 

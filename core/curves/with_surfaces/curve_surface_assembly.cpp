@@ -9,6 +9,7 @@
 #include "core/base/unbounded.h"
 #include "core/curves/contact_length.h"
 #include "core/curves/overlap_place.h"
+#include "core/math/functions/bisection.h"
 
 namespace blossom {
 namespace {
@@ -284,11 +285,10 @@ void CurveSurfaceAssembly::add_run(const Interval& run,
 double CurveSurfaceAssembly::root_between(double from, double to,
                                           const std::vector<CurveSurfaceContact>& pieces) const {
   const bool rising = nearest(from, pieces).signed_gap < 0;
-  for (int k = 0; k < kHalvings; ++k) {
-    const double middle = 0.5 * (from + to);
-    ((nearest(middle, pieces).signed_gap < 0) == rising ? from : to) = middle;
-  }
-  return 0.5 * (from + to);
+  const Interval end = bisected({from, to}, kHalvings, [&](double t) {
+    return (nearest(t, pieces).signed_gap < 0) == rising;
+  });
+  return 0.5 * (end.from + end.to);
 }
 
 // What a closer look tells of a contact.

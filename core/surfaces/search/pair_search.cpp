@@ -233,9 +233,6 @@ class Search {
     for (const Vec3& along : {a.du.middle, a.dv.middle, b.du.middle, b.dv.middle})
       if (separated_along(along, a, b, points_a, points_b)) return true;
     if (place.patch_a != place.patch_b) return false;
-    const auto hull = [](const Interval& x, const Interval& y) {
-      return Interval{std::min(x.from, y.from), std::max(x.to, y.to)};
-    };
     return graph_chart(*place.tree_a, hull(a.u, b.u), hull(a.v, b.v), 0).has_value();
   }
 
