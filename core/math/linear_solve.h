@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "core/math/vec.h"
@@ -42,6 +43,15 @@ bool solve(SquareMatrix<N> m, Vec<double, N>& b) {
     b[i] /= row[i];
   }
   return true;
+}
+
+/// The x with x[0] c0 + x[1] c1 + x[2] c2 = r, by Cramer's rule; nothing if these columns are
+/// dependent.
+inline std::optional<Vec3> solved(const Vec3& c0, const Vec3& c1, const Vec3& c2, const Vec3& r) {
+  const Vec3 n = cross(c1, c2);
+  const double d = dot(c0, n);
+  if (d == 0 || !std::isfinite(1 / d)) return std::nullopt;
+  return Vec3{dot(r, n) / d, dot(c0, cross(r, c2)) / d, dot(c0, cross(c1, r)) / d};
 }
 
 }  // namespace blossom

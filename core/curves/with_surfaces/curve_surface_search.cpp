@@ -8,6 +8,7 @@
 #include "core/cells/limits.h"
 #include "core/curves/contact_length.h"
 #include "core/curves/limits.h"
+#include "core/math/linear_solve.h"
 #include "core/math/roundoff.h"
 
 namespace blossom {
@@ -21,14 +22,6 @@ constexpr double kRoundingOfPlace = 1e-14;   // part of a patch: many roundings 
 
 bool are_disjoint(const ValueRange& a, double low, double high, double tolerance) {
   return a.low > high + tolerance || low > a.high + tolerance;
-}
-
-// Solves x c0 + y c1 + z c2 = r by Cramer's rule.
-std::optional<Vec3> solve(const Vec3& c0, const Vec3& c1, const Vec3& c2, const Vec3& r) {
-  const Vec3 n = cross(c1, c2);
-  const double d = dot(c0, n);
-  if (d == 0 || !std::isfinite(1 / d)) return std::nullopt;
-  return Vec3{dot(r, n) / d, dot(c0, cross(r, c2)) / d, dot(c0, cross(c1, r)) / d};
 }
 
 bool within(double t, const Interval& range, double slack) {
@@ -71,7 +64,7 @@ std::optional<CurveSurfaceParameters> curve_surface_point(const CurveTree& curve
   for (int k = 0; k < kSurfaceNewtonSteps; ++k) {
     const CurveJet c = curve.jet({span, x.t});
     const PatchJet s = jet_at(patch, x.uv[0], x.uv[1], 1);
-    const auto step = solve(c.first, -s.u, -s.v, s.point - c.point);
+    const auto step = solved(c.first, -s.u, -s.v, s.point - c.point);
     if (!step) return std::nullopt;
     x = {x.t + (*step)[0], {x.uv[0] + (*step)[1], x.uv[1] + (*step)[2]}};
     if (!inside(x.t, t) || !inside(x.uv[0], u) || !inside(x.uv[1], v)) return std::nullopt;

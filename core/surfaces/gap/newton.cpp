@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/cells/cell_pair.h"
+#include "core/math/linear_solve.h"
 
 namespace blossom {
 namespace {
@@ -15,14 +16,6 @@ constexpr double kNewtonSettled =
     1e-14;  // a Newton step below this is rounding; fraction of a patch
 constexpr double kNewtonStalled =
     1e-10;  // so is one below this that no longer shrinks: ill conditioned
-
-// Solves M y = r by Cramer's rule; nothing if M is singular.
-std::optional<Vec3> solve(const Vec3& c0, const Vec3& c1, const Vec3& c2, const Vec3& r) {
-  const Vec3 n = cross(c1, c2);
-  const double d = dot(c0, n);
-  if (d == 0 || !std::isfinite(1 / d)) return std::nullopt;
-  return Vec3{dot(r, n) / d, dot(c0, cross(r, c2)) / d, dot(c0, cross(c1, r)) / d};
-}
 
 }  // namespace
 
@@ -37,7 +30,7 @@ std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierP
     const auto column = [&](int i) {
       return j[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])];
     };
-    const auto delta = solve(column(0), column(1), column(2), ja.point - jb.point);
+    const auto delta = solved(column(0), column(1), column(2), ja.point - jb.point);
     if (!delta) return std::nullopt;
     double largest = 0;
     for (int i = 0; i < 3; ++i) {
