@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <functional>
+#include <string_view>
 
 namespace blossom {
 
@@ -37,6 +38,9 @@ class WorkLimit {
     if (cancelled_ && cancelled_()) return kCancelled;
     return late_after_search() ? kLate : nullptr;
   }
+
+  /// Whether a reason that a limit gave is the user's wish.
+  static bool is_cancelled(std::string_view reason) { return reason == kCancelled; }
 
   /// By time alone, so any thread may ask.
   bool late_after_search() const { return spent() > 1 + kAfterSearch; }

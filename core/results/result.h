@@ -96,6 +96,8 @@ struct Certificate {
   double rounding_bound = 0;     ///< largest rounding margin added to a net, model units
   double least_angle = 0;        ///< least angle between normals on the curves, radians
   std::vector<std::string> reasons;  ///< why the status is not complete
+  bool beside_node = false;          ///< a branch ends on the border of a region in which several
+                                     ///< meet, or nearly: one of the reasons
 };
 
 /// Notes that what is within a distance counts as one.

@@ -113,6 +113,7 @@ class Assembly {
     for (const ContactChain& contact : contacts_) {
       add_contact(cells_a, cells_b, contact);
       if (contact.passed_by) weaken(Status::Tolerance, kEndsBesideNode);
+      result_.certificate.beside_node |= contact.passed_by;
     }
     for (const CriticalCluster& cluster : clusters_) add_place(cells_a, cells_b, cluster);
     for (const CriticalCluster& cluster : clusters_of(found_.slow))
@@ -157,8 +158,7 @@ class Assembly {
   // Regions in which the surfaces coincide become overlaps, borders that they share arcs; the
   // critical pairs that these explain are taken out.
   void add_overlaps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
-    const auto& reasons = found_.certificate.reasons;
-    if (std::ranges::find(reasons, WorkLimit::kCancelled) != reasons.end()) return;
+    if (found_.cancelled) return;
     std::vector<CriticalPair> within_tolerance(found_.critical);
     std::erase_if(within_tolerance,
                   [](const CriticalPair& pair) { return !pair.within_tolerance; });

@@ -194,6 +194,7 @@ class ContactSearch {
 
   bool stop(const char* reason) {
     result_.stopped = true;
+    result_.cancelled = result_.cancelled || WorkLimit::is_cancelled(reason);
     result_.certificate.reasons.emplace_back(reason);
     return true;
   }

@@ -72,6 +72,7 @@ struct PairSearchResult {
   bool along_border = false;    ///< an arc runs along a border, not proven; see PairArcs
   bool beside_known = false;    ///< something near a known curve was not searched
   bool stopped = false;
+  bool cancelled = false;  ///< stopped by the user
   long contact_cells = 0;  ///< examined by searches for contacts
 };
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/surfaces/contacts/contact_chain.h"
-
 namespace blossom {
 namespace {
 
@@ -50,10 +48,7 @@ bool decides(const SurfaceIntersection& finer, const SurfaceIntersection& found)
 
 }  // namespace
 
-bool ends_beside_node(const SurfaceIntersection& found) {
-  const auto& reasons = found.certificate.reasons;
-  return std::ranges::find(reasons, kEndsBesideNode) != reasons.end();
-}
+bool ends_beside_node(const SurfaceIntersection& found) { return found.certificate.beside_node; }
 
 bool may_be_settled(const SurfaceIntersection& found, double finer_tolerance) {
   return found.overlaps.empty() &&

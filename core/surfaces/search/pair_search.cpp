@@ -156,6 +156,7 @@ class Search {
 
   bool stop(const char* reason) {
     result_.stopped = true;
+    result_.cancelled = result_.cancelled || WorkLimit::is_cancelled(reason);
     result_.certificate.limited = true;
     result_.certificate.reasons.emplace_back(reason);
     return true;

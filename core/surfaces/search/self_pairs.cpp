@@ -165,6 +165,7 @@ class SelfPairSearch {
 
   bool stop(const char* reason) {
     result_.stopped = true;
+    result_.cancelled = WorkLimit::is_cancelled(reason);
     result_.reasons.emplace_back(reason);
     return true;
   }

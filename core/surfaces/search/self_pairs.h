@@ -24,7 +24,7 @@ struct SelfPairs {
   std::vector<CriticalPair> singular;  ///< both ways round; proof failed down to the tolerance
   long excluded = 0;                   ///< cells and pairs proven to have nothing in common
   int depth = 0;                       ///< deepest bisection of a patch
-  bool stopped = false;
+  bool stopped = false, cancelled = false;
   /// What was proven with control points moved into a plane, by so much: see `FlatBorder`.
   std::optional<double> moved_into_plane{};
   std::vector<std::string> reasons{};  ///< why something is singular or left out

@@ -25,6 +25,7 @@ PairSearchResult search_itself(SurfaceCells& cells, const Vec3& origin, double s
   PairSearchResult found = search_pairs(cells, cells, pairs.apart, size, known, left);
   found.critical.insert(found.critical.end(), pairs.singular.begin(), pairs.singular.end());
   found.stopped = found.stopped || pairs.stopped;
+  found.cancelled = found.cancelled || pairs.cancelled;
   Certificate& certificate = found.certificate;
   certificate.limited = certificate.limited || pairs.stopped;
   certificate.excluded += pairs.excluded;
