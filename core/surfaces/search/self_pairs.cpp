@@ -338,9 +338,6 @@ class SelfPairSearch {
   // True if both cells lie in a rectangle of their patch that does not meet itself.
   bool in_one_piece(const Part& a, const Part& b) {
     if (a.block != b.block) return false;
-    const auto hull = [](const Interval& x, const Interval& y) {
-      return Interval{std::min(x.from, y.from), std::max(x.to, y.to)};
-    };
     const Interval u = hull(cell(a).u, cell(b).u), v = hull(cell(a).v, cell(b).v);
     const SlopeNets& nets = slopes_[static_cast<std::size_t>(block(a).patch)];
     if (!is_injective(cones_of(nets, u, v, axes_))) return false;
@@ -353,9 +350,6 @@ class SelfPairSearch {
   bool is_injective_at_flat_border(const Part& a, const Part& b) {
     if (!is_cell(a) || !is_cell(b)) return false;
     const Place p = place(a), q = place(b);
-    const auto hull = [](const Interval& x, const Interval& y) {
-      return Interval{std::min(x.from, y.from), std::max(x.to, y.to)};
-    };
     const Interval u = hull(p.u, q.u), v = hull(p.v, q.v);
     return std::ranges::any_of(flat_borders_, [&](const FlatBorder& border) {
       const std::optional<DirectionCones> cones = border.cones(slopes_, u, v);
