@@ -19,6 +19,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/base/edge_tolerance.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/placed_shapes.h"
 #include "adapters/occt/base/shared_limit.h"
@@ -79,14 +80,6 @@ class MeasuredFace {
   std::unique_ptr<ChartRegion> region_;
   std::atomic<int> asked_ = 0;
 };
-
-// Of a face's edges, which are so far from its border.
-double largest_edge_tolerance(const TopoDS_Shape& face) {
-  double largest = 0;
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
-  return largest;
-}
 
 // Points in whose box a face's edges are, where it is placed; none if they are not known.
 std::vector<Vec3> points_of_edges(const TopoDS_Face& face, const gp_Trsf& place) {

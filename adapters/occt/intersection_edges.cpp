@@ -16,6 +16,7 @@
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/edge_tolerance.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/base/shared_limit.h"
@@ -51,9 +52,7 @@ namespace {
 
 // The largest tolerance that edges and vertices of a face state.
 double stated_by(const TopoDS_Face& face) {
-  double largest = 0;
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+  double largest = largest_edge_tolerance(face);
   for (TopExp_Explorer it(face, TopAbs_VERTEX); it.More(); it.Next())
     largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
   return largest;

@@ -14,6 +14,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/base/edge_tolerance.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
@@ -42,15 +43,6 @@ struct RayFace {
         reversed(face.Orientation() == TopAbs_REVERSED) {}
 };
 
-double largest_tolerance(const TopoDS_Face& face) {
-  TopTools_IndexedMapOfShape edges;
-  TopExp::MapShapes(face, TopAbs_EDGE, edges);
-  double largest = 0;
-  for (int i = 1; i <= edges.Extent(); ++i)
-    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(edges(i))));
-  return largest;
-}
-
 // number   of the face in messages, from 1
 BezierSurface surface_of(const TopoDS_Face& face, std::size_t number, double tolerance) {
   try {
@@ -70,7 +62,7 @@ RayCaster caster_of(const std::vector<TopoDS_Face>& faces, double tolerance,
   for (const TopoDS_Face& face : faces) {
     check_limit(limit, kPreparing);
     surfaces.push_back(surface_of(face, surfaces.size() + 1, tolerance));
-    reaches.push_back(std::max(tolerance, largest_tolerance(face)));
+    reaches.push_back(std::max(tolerance, largest_edge_tolerance(face)));
   }
   return RayCaster(std::move(surfaces), {.point = tolerance}, std::move(reaches));
 }

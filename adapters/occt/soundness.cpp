@@ -22,6 +22,7 @@
 #include <TopoDS_Solid.hxx>
 
 #include "adapters/occt/base/check_words.h"
+#include "adapters/occt/base/edge_tolerance.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/faces/area.h"
@@ -126,12 +127,9 @@ void check_shell(const TopoDS_Shell& shell, std::vector<std::string>& found) {
 
 // So far the volume of a solid is not known, since its edges may be off their curves.
 double volume_error(const TopoDS_Solid& solid) {
-  double tolerance = 0;
-  for (TopExp_Explorer it(solid, TopAbs_EDGE); it.More(); it.Next())
-    tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
   GProp_GProps properties;
   BRepGProp::SurfaceProperties(solid, properties);
-  return tolerance * std::abs(properties.Mass());
+  return largest_edge_tolerance(solid) * std::abs(properties.Mass());
 }
 
 // What cannot be measured has problems of its own.

@@ -11,6 +11,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/edge_tolerance.h"
 #include "adapters/occt/base/limits.h"
 #include "adapters/occt/coincidence/trimmed_overlaps.h"
 #include "adapters/occt/faces/face_trims.h"
@@ -42,13 +43,6 @@ double distance_to(const std::vector<SurfacePoint>& polygon, const Vec3& p) {
   for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
     least = std::min(least, segment_gap(p, polygon[i].point, polygon[i + 1].point));
   return least;
-}
-
-double loosest_edge(const TopoDS_Face& face) {
-  double loosest = 0;
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    loosest = std::max(loosest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
-  return loosest;
 }
 
 bool lies_inside(const FaceTrims& trims, const Vec2& uv) {
@@ -147,7 +141,8 @@ class OneSurface {
 
   bool is_known(const Vec3& point) const {
     // Borders are where they are to the tolerances of their edges.
-    const double reach = kOnIt * std::max({tolerance_, loosest_edge(a_), loosest_edge(b_)});
+    const double reach =
+        kOnIt * std::max({tolerance_, largest_edge_tolerance(a_), largest_edge_tolerance(b_)});
     return keeps_to_edges(point, edges_, tolerance_) ||
            std::ranges::any_of(found_.overlaps,
                                [&](const Overlap& region) {

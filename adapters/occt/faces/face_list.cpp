@@ -11,6 +11,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
+#include "adapters/occt/base/edge_tolerance.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/hulls.h"
 #include "core/base/parallel.h"
@@ -23,15 +24,6 @@ namespace {
 // tolerance of their edges, in charts whose lengths are right to a factor.
 constexpr double kReach = 2;
 constexpr std::size_t kFaceGrain = 32;  // faces that one thread bounds in a row
-
-double largest_edge_tolerance(const TopoDS_Face& face) {
-  double largest = 0;
-  for (TopoDS_Iterator wire(face, false, false); wire.More(); wire.Next())
-    for (TopoDS_Iterator edge(wire.Value(), false, false); edge.More(); edge.Next())
-      if (edge.Value().ShapeType() == TopAbs_EDGE)
-        largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(edge.Value())));
-  return largest;
-}
 
 // False too of a face that is not sound: what is wrong with it, its conversion tells.
 bool has_hull(const TopoDS_Face& face, std::vector<Vec3>& points) {

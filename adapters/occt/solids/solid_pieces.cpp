@@ -12,6 +12,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/edge_tolerance.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/kept_tolerances.h"
 #include "adapters/occt/base/shared_limit.h"
@@ -222,10 +223,7 @@ std::vector<CurveEdges> curve_edges(const Side& side, std::size_t count) {
 }
 
 double largest_tolerance(const TopoDS_Face& face) {
-  double largest = BRep_Tool::Tolerance(face);
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
-  return largest;
+  return std::max(BRep_Tool::Tolerance(face), largest_edge_tolerance(face));
 }
 
 void add_notes(const Side& side, std::size_t face, SolidPieces& result) {

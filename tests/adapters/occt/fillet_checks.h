@@ -11,6 +11,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/edge_tolerance.h"
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/soundness.h"
 
@@ -23,20 +24,13 @@ inline std::string told(const occt::FilletResult& made) {
   return all;
 }
 
-inline double largest_edge_tolerance(const TopoDS_Shape& shape) {
-  double most = 0;
-  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next())
-    most = std::max(most, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
-  return most;
-}
-
 /// One sound solid, and nothing refused. Only models that are not that good have edges of a larger
 /// tolerance.
 inline void expect_sound(const occt::FilletResult& made, double tolerance = 1e-5) {
   ASSERT_EQ(made.solids.size(), 1U) << told(made);
   EXPECT_TRUE(made.refused.empty()) << told(made);
   EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
-  EXPECT_LE(largest_edge_tolerance(made.solids.front().solid), tolerance);
+  EXPECT_LE(occt::largest_edge_tolerance(made.solids.front().solid), tolerance);
   for (const occt::FaceSoundness& face : occt::soundness(made.solids.front().solid).faces)
     for (const occt::Problem& problem : face.problems) ADD_FAILURE() << problem.text();
 }

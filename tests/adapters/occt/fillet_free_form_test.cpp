@@ -39,6 +39,7 @@
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
 
+#include "adapters/occt/base/edge_tolerance.h"
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/shapes.h"
@@ -50,7 +51,6 @@ namespace blossom::occt {
 namespace {
 
 using testing::expect_sound;
-using testing::largest_edge_tolerance;
 using testing::told;
 
 // Two arcs from (-10, 0) to (10, 0) and back, as high as `bulge` in the middle: a circle if that is
