@@ -19,6 +19,7 @@
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/face_division.h"
 #include "core/base/errors.h"
+#include "core/results/result_places.h"
 
 namespace blossom::occt {
 namespace {
@@ -88,11 +89,6 @@ void note_places(const FaceIntersection& pair, const PartFace& face, TrimResult&
                              ": an unresolved region with a tool's face, nothing is cut there");
 }
 
-bool has_overlap(const FaceIntersection& pair) {
-  return std::any_of(pair.found.places.begin(), pair.found.places.end(),
-                     [](const Place& place) { return place.kind == PlaceKind::Overlap; });
-}
-
 // The edges of a tool's face that lie in a face of the part, as cuts.
 void add_common_border(const FaceIntersection& pair, const ToolFaces& tools, double tolerance,
                        Job& job) {
@@ -136,7 +132,7 @@ std::vector<Job> jobs_of(const std::vector<PartFace>& part, const std::vector<Tr
     add_cuts(pair, all, jobs[job_of[static_cast<std::size_t>(pair.face_a)]], result);
   for (const FaceIntersection& pair : found.pairs) {
     Job& job = jobs[job_of[static_cast<std::size_t>(pair.face_a)]];
-    if (has_overlap(pair) && !job.failed)
+    if (has_overlap(pair.found) && !job.failed)
       attempt(job, result,
               [&] { add_common_border(pair, all, options.intersection.tolerances.point, job); });
   }

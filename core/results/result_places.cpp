@@ -22,6 +22,11 @@ bool is_on_curve(const SurfaceIntersection& result, const Vec3& point, double re
   });
 }
 
+bool has_overlap(const SurfaceIntersection& result) {
+  return std::ranges::any_of(result.places,
+                             [](const Place& place) { return place.kind == PlaceKind::Overlap; });
+}
+
 bool ends_curve(const SurfaceIntersection& result, const Vec3& point, double reach) {
   return std::ranges::any_of(result.curves, [&](const IntersectionCurve& curve) {
     return distance(curve.samples.front().point, point) <= reach ||

@@ -18,6 +18,9 @@ bool is_on_curve(const SurfaceIntersection& result, const Vec3& point, double re
 /// True if a curve ends within `reach`, be it under other parameters of the same point.
 bool ends_curve(const SurfaceIntersection& result, const Vec3& point, double reach);
 
+/// True if a place of it is one where the surfaces coincide.
+bool has_overlap(const SurfaceIntersection& result);
+
 /// True if a point of an overlap's boundary is within `reach`.
 bool bounds_overlap(const SurfaceIntersection& result, const Vec3& point, double reach);
 

@@ -23,6 +23,7 @@
 #include "core/base/sampled_margin.h"
 #include "core/bounds/box_tree.h"
 #include "core/math/interval.h"
+#include "core/results/result_places.h"
 
 namespace blossom::occt {
 namespace {
@@ -34,11 +35,6 @@ bool have_same_ends(const EdgeSplits& splits, const TopoDS_Edge& a, const TopoDS
     return splits.are_one(vertex, from) || splits.are_one(vertex, to);
   };
   return is_end(TopExp::FirstVertex(a)) && is_end(TopExp::LastVertex(a));
-}
-
-bool has_overlap(const FaceIntersection& pair) {
-  return std::any_of(pair.found.places.begin(), pair.found.places.end(),
-                     [](const Place& place) { return place.kind == PlaceKind::Overlap; });
 }
 
 Box spline_box(const Spline& curve) {
@@ -96,7 +92,7 @@ void CommonEdges::add(const FaceIntersection& pair) {
                        [&](const IntersectionCurve& curve) { return may_follow(curve, near); }) ||
            may_lie_on(edges, of, other, options_.tolerances.point, most);
   };
-  const bool overlap = has_overlap(pair);
+  const bool overlap = has_overlap(pair.found);
   if (overlap || any_along(of_b, b_[face_b], a_[face_a])) add_coincident(of_b, Of::B, face_a);
   if (overlap || any_along(of_a, a_[face_a], b_[face_b])) add_coincident(of_a, Of::A, face_b);
 }
