@@ -31,15 +31,8 @@ Tensor inertia_of(const Tensor& second) {
   return {yy + zz, xx + zz, xx + yy, -xy, -xz, -yz};
 }
 
-// A point amid the body, so that cones from there are small.
-Vec3 middle_of(const TopoDS_Shape& body) {
-  const Bnd_Box box = bounds_of(body);
-  if (box.IsVoid() || box.IsOpen()) return {};
-  return vec(0.5 * (box.CornerMin().XYZ() + box.CornerMax().XYZ()));
-}
-
 void measure_solid(const TopoDS_Shape& solid, const WorkLimit* limit, Mass& mass) {
-  const Vec3 apex = middle_of(solid);
+  const Vec3 apex = middle_of(solid);  // amid the body, so that cones from there are small
   Vec3 first;
   Tensor second;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {

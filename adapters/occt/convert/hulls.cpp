@@ -367,6 +367,12 @@ Bnd_Box bounds_of(const TopoDS_Shape& shape, BoxKind kind) {
   return box;
 }
 
+Vec3 middle_of(const TopoDS_Shape& shape) {
+  const Bnd_Box box = bounds_of(shape);
+  if (box.IsVoid() || box.IsOpen()) return {};
+  return vec(0.5 * (box.CornerMin().XYZ() + box.CornerMax().XYZ()));
+}
+
 HullBound placed_hull(std::vector<Vec3> hull, const gp_Trsf& place) {
   if (place.Form() != gp_Identity) move_points(place, 0, hull);
   Box box;

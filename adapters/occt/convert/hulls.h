@@ -43,4 +43,7 @@ enum class BoxKind {
 /// that may hold a part alone. Void if there is nothing in the shape.
 Bnd_Box bounds_of(const TopoDS_Shape& shape, BoxKind kind = BoxKind::Quick);
 
+/// The middle of its quick box; the origin of what has none, or an endless one.
+Vec3 middle_of(const TopoDS_Shape& shape);
+
 }  // namespace blossom::occt

@@ -182,12 +182,6 @@ SewnSolid ordered(const TopoDS_Solid& solid, const Sewn& sewn) {
   return made;
 }
 
-Vec3 middle_of(const std::vector<TopoDS_Face>& faces) {
-  const Bnd_Box box = bounds_of(compound_of(faces));
-  if (box.IsVoid() || box.IsOpen()) return {};
-  return vec(0.5 * (box.CornerMin().XYZ() + box.CornerMax().XYZ()));
-}
-
 }  // namespace
 
 SewnFaces sewn_faces(const std::vector<TopoDS_Face>& faces, std::optional<double> within,
@@ -206,7 +200,7 @@ SewnFaces sewn_faces(const std::vector<TopoDS_Face>& faces, std::optional<double
     Sewn sewn;
     for (const LooseBody& body : gaps.bodies)
       sew(faces, body.faces, joined_within(body.widest), stop, sewn);
-    ConeVolumes volumes(middle_of(faces));
+    ConeVolumes volumes(middle_of(compound_of(faces)));
     std::vector<ClosedShell> shells = closed_shells(sewn, volumes);
     for (const TopoDS_Solid& solid : solids_from(shells, volumes))
       made.solids.push_back(ordered(solid, sewn));
