@@ -14,14 +14,11 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/piece_edges.h"
 #include "adapters/occt/solids/solid_shells.h"
 
 namespace blossom::occt {
 namespace {
-
-bool bounds_piece(const TopoDS_Shape& edge) {
-  return edge.Orientation() != TopAbs_INTERNAL && !BRep_Tool::Degenerated(TopoDS::Edge(edge));
-}
 
 // How often pieces use each edge.
 class EdgeUses {

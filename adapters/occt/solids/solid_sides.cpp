@@ -14,6 +14,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/piece_edges.h"
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
@@ -36,10 +37,6 @@ std::string piece_name(const SplitSolid& of, const SolidPiece& piece) {
 
 // --- pieces that coincide
 
-bool bounds(const TopoDS_Shape& edge) {
-  return edge.Orientation() != TopAbs_INTERNAL && !BRep_Tool::Degenerated(TopoDS::Edge(edge));
-}
-
 // The numbers of the edges that bound a piece, in increasing order. Seams are none of them: where
 // a closed surface begins is a matter of taste.
 using Border = std::vector<int>;
@@ -47,7 +44,7 @@ using Border = std::vector<int>;
 Border border_of(const TopoDS_Face& face, TopTools_IndexedMapOfShape& edges) {
   std::map<int, int> uses;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    if (bounds(it.Current())) ++uses[edges.Add(it.Current())];
+    if (bounds_piece(it.Current())) ++uses[edges.Add(it.Current())];
   Border border;
   for (const auto& [edge, count] : uses)
     if (count == 1) border.push_back(edge);
@@ -147,7 +144,7 @@ std::vector<FaceGroup> regions_of(const SplitSolid& of, const SplitSolid& other)
   std::vector<TopoDS_Shape> faces;
   for (const SolidPiece& piece : of.pieces) faces.push_back(piece.face);
   return groups_over_edges(faces, [&](const TopoDS_Shape& edge) {
-    return !bounds(edge) || shared.Contains(edge) || of.crossed.Contains(edge);
+    return !bounds_piece(edge) || shared.Contains(edge) || of.crossed.Contains(edge);
   });
 }
 
