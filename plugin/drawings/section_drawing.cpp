@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/drawings/section_drawing.h"
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +10,7 @@
 #include "plugin/drawings/drawing.h"
 #include "plugin/drawings/dxf.h"
 #include "plugin/drawings/svg.h"
+#include "plugin/reports/text/lower_case.h"
 
 namespace blossom::drawings {
 namespace {
@@ -22,13 +21,6 @@ using reports::SectionsOfPlane;
 
 // Of the size of all sections: how far polylines may be off their curves.
 constexpr double kDrawnDeviation = 1e-5;
-
-std::string lower_ending(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 double size_of(const SectionsAnswer& answer) {
   Box box;
@@ -61,14 +53,14 @@ std::vector<DrawnPlane> drawn_planes(const SectionsAnswer& answer) {
 }  // namespace
 
 bool is_drawing_file(const std::filesystem::path& file) {
-  const std::string ending = lower_ending(file);
+  const std::string ending = reports::lower_ending(file);
   return ending == ".dxf" || ending == ".svg";
 }
 
 void write_section_drawing(const SectionsAnswer& answer, const std::filesystem::path& file,
                            const std::function<void()>& stop) {
   const std::vector<DrawnPlane> planes = drawn_planes(answer);
-  const bool as_svg = lower_ending(file) == ".svg";
+  const bool as_svg = reports::lower_ending(file) == ".svg";
   occt::write_text(as_svg ? svg_text(planes) : dxf_text(planes), file, stop);
 }
 

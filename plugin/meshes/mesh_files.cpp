@@ -2,7 +2,6 @@
 #include "plugin/meshes/mesh_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -19,6 +18,7 @@
 #include "adapters/occt/shapes.h"
 #include "plugin/meshes/formats/mesh_formats.h"
 #include "plugin/meshes/formats/text_words.h"
+#include "plugin/reports/text/lower_case.h"
 
 namespace blossom::meshes {
 namespace {
@@ -26,13 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLargest = 1e100;  // of coordinates: volumes of what is larger are no doubles
-
-std::string small_ending(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 #ifdef BLOSSOM_WITH_LIB3MF
 // "machine:1/Shaft" of "machine:1/Shaft/Face3"; `whole` of "Face3", and before the first group.
@@ -174,25 +167,25 @@ FileMesh read_content(std::string_view bytes, const std::string& ending) {
 }  // namespace
 
 bool is_mesh_file(const fs::path& file) {
-  const std::string ending = small_ending(file);
+  const std::string ending = reports::lower_ending(file);
   return ending == ".stl" || ending == ".ply" || ending == ".obj" || ending == ".off";
 }
 
 bool is_written_mesh_file(const fs::path& file) {
-  return is_mesh_file(file) || small_ending(file) == ".3mf";
+  return is_mesh_file(file) || reports::lower_ending(file) == ".3mf";
 }
 
-bool is_glb_file(const fs::path& file) { return small_ending(file) == ".glb"; }
+bool is_glb_file(const fs::path& file) { return reports::lower_ending(file) == ".glb"; }
 
 double writing_bound(const fs::path& file, bool text, double largest) {
-  if (!is_single(small_ending(file), text)) return 0;
+  if (!is_single(reports::lower_ending(file), text)) return 0;
   const double half_a_unit = 0.5 * std::numeric_limits<float>::epsilon() * largest;
   return std::sqrt(3.0) * half_a_unit;  // of three coordinates
 }
 
 WrittenMesh write_mesh_file(const FileMesh& mesh, const fs::path& file, bool text,
                             const std::function<void()>& stop) {
-  const std::string ending = small_ending(file);
+  const std::string ending = reports::lower_ending(file);
   const bool single = is_single(ending, text);
   occt::write_text(ending == ".obj"   ? obj_text(mesh)
                    : ending == ".off" ? off_text(mesh)
@@ -206,7 +199,7 @@ WrittenMesh write_mesh_file(const FileMesh& mesh, const fs::path& file, bool tex
 
 FileMesh read_mesh_file(const fs::path& file) {
   try {
-    FileMesh mesh = read_content(content_of(file), small_ending(file));
+    FileMesh mesh = read_content(content_of(file), reports::lower_ending(file));
     for (const Vec3& point : mesh.points)
       for (const double x : point.coordinates)
         if (std::abs(x) > kLargest) throw BadContent("has a coordinate beyond 1e+100");

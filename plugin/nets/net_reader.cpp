@@ -2,7 +2,6 @@
 // Reading nets from JSON.
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -12,6 +11,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "plugin/nets/net_json.h"
+#include "plugin/reports/text/lower_case.h"
 #include "plugin/reports/text/nesting.h"
 
 namespace blossom::nets {
@@ -261,10 +261,7 @@ Json parsed(const std::filesystem::path& file) {
 }  // namespace
 
 bool is_net_file(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".json";
+  return reports::lower_ending(file) == ".json";
 }
 
 std::vector<Net> read_nets(const std::filesystem::path& file) {

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -26,6 +25,7 @@
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/stages.h"
 #include "plugin/cli/process/supervision.h"
+#include "plugin/reports/text/lower_case.h"
 
 namespace blossom::cli {
 namespace {
@@ -35,12 +35,6 @@ constexpr double kSearchPart = 0.8;
 
 const std::map<std::string, CellForm> kForms = {
     {"auto", CellForm::Auto}, {"monomial", CellForm::Monomial}, {"bezier", CellForm::Bezier}};
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 void require_writable(const std::filesystem::path& file) {
   std::error_code error;
@@ -228,7 +222,7 @@ IntersectionOptions intersection_options(const EngineOptions& options, Progress&
 }
 
 std::string ending_of(const std::string& file) {
-  return lower_case(std::filesystem::path(file).extension());
+  return reports::lower_case(std::filesystem::path(file).extension());
 }
 
 void refuse_options(const CommonOptions& options, const std::vector<std::string>& names,

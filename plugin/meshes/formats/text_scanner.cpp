@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "plugin/meshes/formats/mesh_formats.h"
+#include "plugin/reports/text/lower_case.h"
 
 namespace blossom::meshes {
 namespace {
@@ -72,12 +73,7 @@ std::string_view TextScanner::word_of_line() {
   return word();
 }
 
-std::string TextScanner::small_word() {
-  std::string text(word());
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
+std::string TextScanner::small_word() { return reports::lower_case(std::string(word())); }
 
 std::string_view TextScanner::rest_of_line() {
   while (at_ < text_.size() && is_blank(text_[at_]) && !is_line_end(text_[at_])) ++at_;
