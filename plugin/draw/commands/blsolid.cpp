@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // blsolid result cut|common|fuse|split part tool [tool ...]
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -24,15 +23,8 @@ namespace blossom::draw {
 namespace {
 
 occt::SolidOperation operation_of(const std::string& word) {
-  static const std::map<std::string, occt::SolidOperation> kWords = {
-      {"cut", occt::SolidOperation::Cut},
-      {"common", occt::SolidOperation::Common},
-      {"fuse", occt::SolidOperation::Fuse},
-      {"split", occt::SolidOperation::Split}};
-  const auto found = kWords.find(word);
-  if (found == kWords.end())
-    throw occt::BadModel("'" + word + "' is none of cut, common, fuse and split");
-  return found->second;
+  if (const auto operation = reports::solid_operation(word)) return *operation;
+  throw occt::BadModel("'" + word + "' is none of cut, common, fuse and split");
 }
 
 // One without faces is taken for its edges and vertices.

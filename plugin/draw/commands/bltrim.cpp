@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // bltrim result part above|below|inside|outside|all|N tool [tool ...]
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,28 +11,19 @@
 #include "adapters/occt/trim.h"
 #include "plugin/draw/commands/commands.h"
 #include "plugin/draw/commands/words.h"
+#include "plugin/reports/cuts/trim.h"
 
 namespace blossom::draw {
 namespace {
 
 // A side by its word, or a piece by its number.
 occt::TrimOptions options_of(const std::string& word) {
-  static const std::map<std::string, occt::Keep> kSides = {{"above", occt::Keep::Above},
-                                                           {"below", occt::Keep::Below},
-                                                           {"inside", occt::Keep::Inside},
-                                                           {"outside", occt::Keep::Outside},
-                                                           {"all", occt::Keep::All}};
-  occt::TrimOptions options;
-  if (const auto side = kSides.find(word); side != kSides.end()) {
-    options.keep = side->second;
-    return options;
-  }
-  if (word.find_first_not_of("0123456789") != std::string::npos)
+  auto options = reports::trim_options(word);
+  if (!options)
     throw occt::BadModel("'" + word +
                          "' is none of above, below, inside, outside, all, and no piece");
-  options.keep = occt::Keep::Number;
-  options.piece = count_from(word);
-  return options;
+  if (options->keep == occt::Keep::Number) options->piece = count_from(word);
+  return *options;
 }
 
 std::string answer_to_bltrim(const Words& words) {
