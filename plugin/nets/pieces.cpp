@@ -331,6 +331,17 @@ RationalMonomialCurve monomial_of(const RationalBezierCurve& curve, const Net& n
 
 }  // namespace
 
+Cut cut_of(const CutNumbers& numbers, int levels) {
+  const auto& [i, r, t, q] = numbers;
+  Cut cut;
+  cut.levels = levels;
+  if (!i.empty()) cut.interval = Interval{i[0], i[1]};
+  if (!r.empty()) cut.rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
+  if (!t.empty()) cut.triangle = {Vec2{t[0], t[1]}, Vec2{t[2], t[3]}, Vec2{t[4], t[5]}};
+  if (!q.empty()) cut.q = QParameters{q[0], q[1]};
+  return cut;
+}
+
 double piece_count(const Net& net, const Cut& cut) {
   const double directions = is_curve(net) ? 1 : 2;
   const double triangles = cut.triangle && is_span(net) ? 5 : 1;  // a heptagon's at most

@@ -21,6 +21,15 @@ struct Cut {
   Stop stop;                                         ///< asked for every piece
 };
 
+/// A cut whose places are given by their numbers; an empty list for none.
+struct CutNumbers {
+  const std::vector<double>& interval;   ///< from, to
+  const std::vector<double>& rectangle;  ///< u from, u to, v from, v to
+  const std::vector<double>& triangle;   ///< u and v of three corners
+  const std::vector<double>& q;          ///< q1, q2
+};
+Cut cut_of(const CutNumbers& numbers, int levels);
+
 /// How many pieces a cut makes of a net at most.
 double piece_count(const Net& net, const Cut& cut);
 

@@ -239,26 +239,13 @@ void add_meshes(py::module_& module) {
       arg("text"), arg("control"));
 }
 
-nets::Cut cut_of(const std::vector<double>& interval, const std::vector<double>& rectangle,
-                 const std::vector<double>& triangle, const std::vector<double>& q, int levels) {
-  nets::Cut cut;
-  cut.levels = levels;
-  if (const auto& i = interval; !i.empty()) cut.interval = Interval{i[0], i[1]};
-  if (const auto& r = rectangle; !r.empty())
-    cut.rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
-  if (const auto& t = triangle; !t.empty())
-    cut.triangle = {Vec2{t[0], t[1]}, Vec2{t[2], t[3]}, Vec2{t[4], t[5]}};
-  if (!q.empty()) cut.q = QParameters{q[0], q[1]};
-  return cut;
-}
-
 void add_forms(py::module_& module) {
   using NumberList = std::vector<double>;
   module.def(
       "subdivide",
       [](const SharedModel& model, const NumberList& interval, const NumberList& rectangle,
          const NumberList& triangle, const NumberList& q, int levels, const Control& control) {
-        return subdivide(model, cut_of(interval, rectangle, triangle, q, levels), control);
+        return subdivide(model, nets::cut_of({interval, rectangle, triangle, q}, levels), control);
       },
       arg("model"), arg("interval"), arg("rectangle"), arg("triangle"), arg("q"), arg("levels"),
       arg("control"));

@@ -41,15 +41,9 @@ struct SubdivideCommand {
 };
 
 nets::Cut cut_of(const SubdivideCommand& options) {
-  nets::Cut cut;
-  cut.levels = options.levels;
+  nets::Cut cut = nets::cut_of({options.interval, options.rectangle, options.triangle, options.q},
+                               options.levels);
   cut.stop = stop_if_interrupted;
-  if (const auto& i = options.interval; !i.empty()) cut.interval = Interval{i[0], i[1]};
-  if (const auto& r = options.rectangle; !r.empty())
-    cut.rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
-  if (const auto& t = options.triangle; !t.empty())
-    cut.triangle = {Vec2{t[0], t[1]}, Vec2{t[2], t[3]}, Vec2{t[4], t[5]}};
-  if (const auto& q = options.q; !q.empty()) cut.q = QParameters{q[0], q[1]};
   return cut;
 }
 
