@@ -22,6 +22,7 @@
 #include "adapters/cgal/gpl/mesh_check.h"
 #include "adapters/occt/tessellation.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom {
 namespace {
@@ -101,8 +102,8 @@ TEST(TessellationByCgal, OfADrilledAndRoundedBlockIsSound) {
 
 // Closed models are closed meshes in which nothing crosses.
 TEST(TessellationByCgal, OfClosedModelsIsSound) {
-  const char* const data = std::getenv("BLOSSOM_TEST_DATA");
-  if (!data) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const char* const data = blossom::testing::test_data();
+  if (!data) GTEST_SKIP() << blossom::testing::kNoTestData;
   for (const char* name : {"ball.brep", "boxed_sphere.step", "crankarm.brep",
                            "s1_mainbody_back.stp", "d150_wing.brep", "d150_fused.brep"}) {
     const occt::Model model =
@@ -117,8 +118,8 @@ TEST(TessellationByCgal, OfClosedModelsIsSound) {
 // Asked once for each face and round, and once for some thousand points: a bound that does not fall
 // as facets get smaller would make more and more of them.
 TEST(TessellationByCgal, OfNarrowFacesComesToAnEnd) {
-  const char* const data = std::getenv("BLOSSOM_TEST_DATA");
-  if (!data) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const char* const data = blossom::testing::test_data();
+  if (!data) GTEST_SKIP() << blossom::testing::kNoTestData;
   constexpr int kMaxAsked = 3000;
   const occt::Model model =
       testing::repaired_model(std::filesystem::path(data) / "models" / "d150_fused.brep");

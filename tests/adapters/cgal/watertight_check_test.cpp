@@ -3,7 +3,6 @@
 // CASCADE, and by samples that neighbours share.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "adapters/occt/watertight.h"
 #include "tests/support/incremental_mesh.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 #include "tests/support/watertight_mesh.h"
 
 namespace blossom {
@@ -121,8 +121,8 @@ TEST(WatertightMesh, OfConesCutAtTheirApexIsClosed) {
 
 // By samples, and by Open CASCADE with that deflection, where flat pieces have no nodes inside.
 void expect_closed_model(const std::string& name, double volume, double error, double deflection) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const char* folder = blossom::testing::test_data();
+  if (!folder) GTEST_SKIP() << blossom::testing::kNoTestData;
   const occt::Model model = testing::repaired_model(std::string(folder) + "/models/" + name);
   const occt::WatertightShape made = occt::watertight(model.shape());
   ASSERT_EQ(made.pieces.obstacle, "");
@@ -139,8 +139,8 @@ TEST(WatertightMesh, OfACrankArmDoesNotCrossItself) {
 
 // 213 faces of an IGES file without common edges, whose curves in space are up to 2e-3 off.
 TEST(WatertightMesh, OfLooseFacesDoesNotCrossItself) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const char* folder = blossom::testing::test_data();
+  if (!folder) GTEST_SKIP() << blossom::testing::kNoTestData;
   const occt::Model model = testing::repaired_model(std::string(folder) + "/models/bearing.iges");
   const occt::WatertightShape made = occt::watertight(model.shape());
   ASSERT_EQ(made.pieces.obstacle, "");
@@ -160,8 +160,8 @@ TEST(WatertightMesh, OfABodyWithLooseEdgesDoesNotCrossItself) {
 // The plane of the cut nearly touches a face, so that both sides of the cut have triangles with
 // corners on it alone: facets of these lay in the plane over each other.
 TEST(WatertightMesh, OfAPlaneCutInHalfIsClosed) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const char* folder = blossom::testing::test_data();
+  if (!folder) GTEST_SKIP() << blossom::testing::kNoTestData;
   const occt::Model model =
       testing::repaired_model(std::string(folder) + "/models/d150_fused.brep");
   const TopoDS_Shape beyond =

@@ -46,6 +46,7 @@
 #include "adapters/occt/soundness.h"
 #include "tests/adapters/occt/fillet_checks.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -258,7 +259,7 @@ TEST(FilletRoundATwistedPost, IsSetBackWhereStripsDoNotMeet) {
 }
 
 std::filesystem::path given_model(const char* name) {
-  const char* data = std::getenv("BLOSSOM_TEST_DATA");
+  const char* data = blossom::testing::test_data();
   return std::filesystem::path(data != nullptr ? data : "") / "models" / name;
 }
 

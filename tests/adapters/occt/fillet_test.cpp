@@ -42,6 +42,7 @@
 #include "tests/adapters/occt/fillet_checks.h"
 #include "tests/support/free_form_bodies.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -397,7 +398,7 @@ TEST(EdgeFacts, TellHowFacesMeet) {
 
 // Beside a knot line the largest radius was looked for in a piece of a few roundings, for ever.
 TEST(FilletLimit, OfAnEdgeOfRealFacesIsFoundInAShortTime) {
-  const char* data = std::getenv("BLOSSOM_TEST_DATA");
+  const char* data = blossom::testing::test_data();
   const std::filesystem::path file =
       std::filesystem::path(data != nullptr ? data : "") / "models/propeller.brep";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";

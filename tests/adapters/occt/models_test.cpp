@@ -3,7 +3,6 @@
 // that nothing made up is like.
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <set>
@@ -18,6 +17,7 @@
 #include "adapters/occt/shapes.h"
 #include "tests/adapters/occt/convert/surfaces_samples.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -29,7 +29,7 @@ using testing::uniform;
 /// The models of the folder that BLOSSOM_TEST_DATA names.
 std::set<fs::path> models() {
   std::set<fs::path> found;
-  const char* data = std::getenv("BLOSSOM_TEST_DATA");
+  const char* data = blossom::testing::test_data();
   if (data == nullptr) return found;
   const std::set<std::string> endings{".stp", ".step", ".brep", ".iges", ".igs"};
   for (const auto& entry : fs::directory_iterator(fs::path(data) / "models"))
@@ -62,8 +62,7 @@ void compare(const TopoDS_Face& face, const std::string& what, Random& random) {
 
 TEST(RealModels, HaveFacesThatBecomePatchesWithTheSamePoints) {
   const std::set<fs::path> files = models();
-  if (files.empty())
-    GTEST_SKIP() << "set BLOSSOM_TEST_DATA to a folder with models/ to test on real models";
+  if (files.empty()) GTEST_SKIP() << blossom::testing::kNoTestData;
   quiet_messages();
   Random random(1);
   for (const fs::path& file : files) {

@@ -27,6 +27,7 @@
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/trim.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -36,7 +37,7 @@ constexpr double kTurn = 23 * 3.14159265358979323846 / 180;
 constexpr double kSeconds = 1;
 
 std::vector<std::filesystem::path> model_files() {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
+  const char* folder = blossom::testing::test_data();
   std::vector<std::filesystem::path> files;
   if (folder == nullptr) return files;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(folder) + "/models")) {
@@ -139,7 +140,7 @@ void run_model(const std::filesystem::path& file, Counts& counts) {
 
 TEST(TrimOfModels, IsValidAndKeepsTheArea) {
   const std::vector<std::filesystem::path> files = model_files();
-  if (files.empty()) GTEST_SKIP() << "BLOSSOM_TEST_DATA names no folder with models/";
+  if (files.empty()) GTEST_SKIP() << blossom::testing::kNoTestData;
   quiet_messages();
   Counts counts;
   for (const std::filesystem::path& file : files) run_model(file, counts);

@@ -37,6 +37,7 @@
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -395,8 +396,8 @@ TEST(PlaneSection, RefusesAPlaneWithoutADirection) {
 }
 
 TEST(PlaneSection, OfARealSolidIsClosed) {
-  const char* data = std::getenv("BLOSSOM_TEST_DATA");
-  if (data == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA names no folder with models/";
+  const char* data = blossom::testing::test_data();
+  if (data == nullptr) GTEST_SKIP() << blossom::testing::kNoTestData;
   const auto models = std::filesystem::path(data) / "models";
   for (const char* name : {"ball.brep", "propeller.brep", "s1_mainbody_back.stp"}) {
     const TopoDS_Shape shape = testing::repaired_model(models / name).shape();

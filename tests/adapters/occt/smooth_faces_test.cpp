@@ -5,21 +5,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <utility>
 
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/shapes.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
 
 // The surfaces are within tolerance along all of a border, in a strip that no one line stands for.
 TEST(SmoothFaces, LeaveNothingOpenAlongTheirBorder) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const char* folder = blossom::testing::test_data();
+  if (!folder) GTEST_SKIP() << blossom::testing::kNoTestData;
   const Model model = testing::repaired_model(std::string(folder) + "/models/bearing.iges");
   for (const auto& [a, b] : {std::pair{52, 53}, {53, 52}, {75, 76}, {76, 75}}) {
     SCOPED_TRACE(std::to_string(a) + " and " + std::to_string(b));

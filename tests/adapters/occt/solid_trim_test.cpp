@@ -49,6 +49,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/shapes.h"
 #include "core/base/errors.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -259,8 +260,8 @@ TopoDS_Shape turned_copy(const TopoDS_Shape& shape, double degrees, double part)
 }
 
 TEST(TrimSolids, AgreesWithOpenCascadeAboutModelsAndTheirTurnedCopies) {
-  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const char* const folder = blossom::testing::test_data();
+  if (folder == nullptr) GTEST_SKIP() << blossom::testing::kNoTestData;
   for (const auto& [name, degrees, part] :
        {std::tuple{"ball.brep", 23.0, 0.06}, std::tuple{"d150_wing.brep", 23.0, 0.06},
         std::tuple{"crankarm.brep", 23.0, 0.06}, std::tuple{"crankarm.brep", 2.0, 0.004}}) {
@@ -286,8 +287,8 @@ TEST(TrimSolids, AgreesWithOpenCascadeAboutModelsAndTheirTurnedCopies) {
 // up to 0.4 apart (s1_mainbody_back); a span of a surface is 1e-8 wide (elliptiplane). Open CASCADE
 // finds other volumes.
 TEST(TrimSolids, ClosesModelsWithLooseEdgesAgainstTheirTurnedCopies) {
-  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const char* const folder = blossom::testing::test_data();
+  if (folder == nullptr) GTEST_SKIP() << blossom::testing::kNoTestData;
   for (const auto& [name, degrees, part, operation] :
        {std::tuple{"s1_mainbody_back.stp", 23.0, 0.06, SolidOperation::Cut},
         std::tuple{"s1_mainbody_back.stp", 2.0, 0.004, SolidOperation::Fuse},

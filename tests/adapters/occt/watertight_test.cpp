@@ -36,6 +36,7 @@
 #include "core/blossom/triangle_composition.h"
 #include "tests/adapters/occt/exchange/shapes_files.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -279,8 +280,8 @@ TEST(Watertight, ATriangleAtAPoleIsMeshedWithoutNodesInside) {
 
 // A face of a real model that takes several rounds of dividing its edges.
 TEST(Watertight, DividesTheEdgesOfABladeAgain) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const char* folder = blossom::testing::test_data();
+  if (!folder) GTEST_SKIP() << blossom::testing::kNoTestData;
   const Model model = testing::repaired_model(std::string(folder) + "/models/propeller.brep");
   WatertightOptions options;
   options.tolerance = 1e-3;
@@ -293,8 +294,8 @@ TEST(Watertight, DividesTheEdgesOfABladeAgain) {
 // Straight arcs alone, as the degrees of its blades would have it, were refused: more than 5000 on
 // one border.
 TEST(Watertight, TakesABladeOfHighDegree) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const char* folder = blossom::testing::test_data();
+  if (!folder) GTEST_SKIP() << blossom::testing::kNoTestData;
   const Model model = testing::repaired_model(std::string(folder) + "/models/propeller.brep");
   WatertightOptions options;
   options.tolerance = 1e-5;
@@ -305,8 +306,8 @@ TEST(Watertight, TakesABladeOfHighDegree) {
 
 // Its edges are up to 6e-3 off its faces, and lines between patches end next to each other.
 TEST(Watertight, LetsTheFacesOfABodyAgreeOnTheirEdges) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const char* folder = blossom::testing::test_data();
+  if (!folder) GTEST_SKIP() << blossom::testing::kNoTestData;
   const Model model = testing::repaired_model(std::string(folder) + "/models/s1_mainbody_back.stp");
   WatertightOptions options;
   options.tolerance = 1e-4;

@@ -20,6 +20,7 @@
 
 #include "adapters/occt/shapes.h"
 #include "tests/plugin/cli/program.h"
+#include "tests/support/test_data.h"
 
 namespace blossom {
 namespace {
@@ -183,8 +184,8 @@ struct Known {
 };
 
 TEST(ReadingForeignFiles, GiveTheShapesThatOtherReadersFind) {
-  const char* const data = std::getenv("BLOSSOM_TEST_DATA");
-  if (data == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const char* const data = blossom::testing::test_data();
+  if (data == nullptr) GTEST_SKIP() << blossom::testing::kNoTestData;
   const std::filesystem::path files = std::filesystem::path(data) / "files";
   const Known known[] = {
       {"crash_2.igs", 0, 41},      {"refused_01.stp", 1, 6},   {"refused_02.stp", 0, 1},

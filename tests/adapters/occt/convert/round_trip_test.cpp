@@ -43,6 +43,7 @@
 #include "adapters/occt/solid_trim.h"
 #include "tests/adapters/occt/exchange/shapes_files.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -127,16 +128,16 @@ TopoDS_Shape turned(const TopoDS_Shape& shape, double part = 0) {
 }
 
 TEST(StepFiles, KeepTheSizesOfAWingWithoutItsTurnedCopy) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const char* folder = blossom::testing::test_data();
+  if (!folder) GTEST_SKIP() << blossom::testing::kNoTestData;
   const Model model = testing::repaired_model(std::string(folder) + "/models/d150_wing.brep");
   expect_small_changes(model.shape(), turned(model.shape()), ".step", {SolidOperation::Cut});
 }
 
 // Ends of its edges are up to 3e-3 apart in their vertices.
 TEST(StepFiles, KeepTheVolumeOfAModelWithLooseEdges) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const char* folder = blossom::testing::test_data();
+  if (!folder) GTEST_SKIP() << blossom::testing::kNoTestData;
   const Model model = testing::repaired_model(std::string(folder) + "/models/s1_mainbody_back.stp");
   const TopoDS_Shape copy = turned(model.shape(), 0.06);
   const SolidTrimResult made =

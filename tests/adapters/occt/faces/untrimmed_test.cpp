@@ -16,6 +16,7 @@
 #include "adapters/occt/shapes.h"
 #include "core/forms/evaluation.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -77,8 +78,8 @@ int expect_within_bounds(const TopoDS_Face& face) {
 // Trims of the first two pass the ranges of their surfaces; in the second, corners of wires are
 // 3e-3 apart.
 TEST(Untrimmed, BordersAreWithinTheirBounds) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const char* folder = blossom::testing::test_data();
+  if (!folder) GTEST_SKIP() << blossom::testing::kNoTestData;
   for (const char* name : {"bearing.iges", "s1_mainbody_back.stp", "elliptiplane.brep"}) {
     SCOPED_TRACE(name);
     const Model model = testing::repaired_model(std::string(folder) + "/models/" + name);

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/shapes.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -30,13 +30,13 @@ ShapeIntersection with_itself(const std::filesystem::path& file) {
 class SelfIntersectionOfModels : public ::testing::TestWithParam<const char*> {
  protected:
   static std::filesystem::path folder() {
-    const char* data = std::getenv("BLOSSOM_TEST_DATA");
+    const char* data = blossom::testing::test_data();
     return data == nullptr ? std::filesystem::path() : std::filesystem::path(data);
   }
 };
 
 TEST_P(SelfIntersectionOfModels, IsNothingWhereAModelIsSound) {
-  if (folder().empty()) GTEST_SKIP() << "BLOSSOM_TEST_DATA names no folder of models";
+  if (folder().empty()) GTEST_SKIP() << blossom::testing::kNoTestData;
   const auto found = with_itself(folder() / GetParam());
   EXPECT_EQ(found.status, Status::Complete);
   EXPECT_TRUE(found.pairs.empty());
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Sound, SelfIntersectionOfModels,
                                            "reports/crankshaft.stp"));
 
 TEST_F(SelfIntersectionOfModels, IsWhatLooseFacesLieOn) {
-  if (folder().empty()) GTEST_SKIP() << "BLOSSOM_TEST_DATA names no folder of models";
+  if (folder().empty()) GTEST_SKIP() << blossom::testing::kNoTestData;
   const auto found = with_itself(folder() / "models/nist_ctc_02.stp");
   std::set<std::pair<int, int>> pairs;
   for (const FaceIntersection& pair : found.pairs) pairs.emplace(pair.face_a + 1, pair.face_b + 1);

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -22,6 +21,7 @@
 
 #include "adapters/occt/repair/repair.h"
 #include "adapters/occt/shapes.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -82,8 +82,8 @@ TEST(LooseImages, AreLeftWhereTheyAreSmall) {
 
 // 196 curves up to 0.06 off edges that lie on both faces within 3e-5.
 TEST(LooseImages, LeaveNoGapsInAModelWhoseReaderMadeThem) {
-  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const char* const folder = blossom::testing::test_data();
+  if (folder == nullptr) GTEST_SKIP() << blossom::testing::kNoTestData;
   Model model = read_model(std::string(folder) + "/models/boxed_sphere.step");
   EXPECT_EQ(model.repair().remade.size(), 196U);
   double largest = 0;

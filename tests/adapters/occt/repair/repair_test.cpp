@@ -25,6 +25,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/shapes.h"
 #include "tests/support/loose_shapes.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -171,8 +172,8 @@ TEST(Repairs, OfAModelWaitUntilTheyAreAskedFor) {
 
 // A model of 190 faces, nearly all of which hang together by loose edges.
 TEST(Repairs, OfAModelFromAFileAreThoseOfAllInReverseOrder) {
-  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const char* const folder = blossom::testing::test_data();
+  if (folder == nullptr) GTEST_SKIP() << blossom::testing::kNoTestData;
   for (const char* const name : {"/models/nist_ctc_02.stp", "/models/boxed_sphere.step"}) {
     Model at_once = read_model(std::string(folder) + name);
     at_once.repair();

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "tests/adapters/occt/exchange/shapes_files.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -26,8 +26,8 @@ struct LoosePair {
 class LooseSolids : public ::testing::TestWithParam<LoosePair> {};
 
 TEST_P(LooseSolids, GiveResultsThatAreValidInFiles) {
-  const char* const data = std::getenv("BLOSSOM_TEST_DATA");
-  if (data == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const char* const data = blossom::testing::test_data();
+  if (data == nullptr) GTEST_SKIP() << blossom::testing::kNoTestData;
   const std::filesystem::path pair = std::filesystem::path(data) / "solids" / GetParam().name;
   if (!std::filesystem::exists(pair.string() + ".a.brep")) GTEST_SKIP() << "there is no such pair";
   const Model a = read_model(pair.string() + ".a.brep"), b = read_model(pair.string() + ".b.brep");

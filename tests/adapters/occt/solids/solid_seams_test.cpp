@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -20,6 +19,7 @@
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "tests/support/models.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -28,8 +28,8 @@ namespace {
 class SolidSeamsOfModels : public ::testing::Test {
  protected:
   void SetUp() override {
-    const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
-    if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+    const char* const folder = blossom::testing::test_data();
+    if (folder == nullptr) GTEST_SKIP() << blossom::testing::kNoTestData;
     models_ = std::filesystem::path(folder) / "models";
   }
 

@@ -32,6 +32,7 @@
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -233,8 +234,8 @@ TEST(EqualFaces, MovedALittleAreSearched) {
 }
 
 TEST(EqualFaces, OfModelsCoincide) {
-  const char* const models = std::getenv("BLOSSOM_TEST_DATA");
-  if (models == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const char* const models = blossom::testing::test_data();
+  if (models == nullptr) GTEST_SKIP() << blossom::testing::kNoTestData;
   for (const char* const name : {"d150_wing.brep", "nacelle.stp", "ball.brep"}) {
     SCOPED_TRACE(name);
     const TopoDS_Shape shape = read_model(std::filesystem::path(models) / "models" / name).shape();

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -33,6 +32,7 @@
 
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
+#include "tests/support/test_data.h"
 
 namespace blossom::occt {
 namespace {
@@ -175,8 +175,8 @@ TEST(TangentCorners, OfAClosedEdgeAreCovered) {
 // A tube without a pipe through it, whose side touches the tube's seam where patches of both end.
 // At the tolerance asked for a solid comes out of it that is not valid.
 TEST(SolidValidity, IsAskedForAtEveryWayOfDividing) {
-  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const char* const folder = blossom::testing::test_data();
+  if (folder == nullptr) GTEST_SKIP() << blossom::testing::kNoTestData;
   const auto solid = [&](const char* name) {
     return trim_tool(read_model(std::string(folder) + "/solids/" + name).shape());
   };
