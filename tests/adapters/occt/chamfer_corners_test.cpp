@@ -440,7 +440,9 @@ TEST(ChamferRefuses, SaysThatNoDistanceWorksThatWasTried) {
 TEST(ChamferRefuses, DistancesBesideWhichTheEdgeIsNothing) {
   const TopoDS_Shape bar = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 10, 10).Shape(),
                                            BRepPrimAPI_MakeBox(5, 10, 10).Shape());
-  for (const EdgeFacts& each : edge_facts(bar)) {
+  const std::vector<EdgeFacts> edges = edge_facts(bar);
+  EXPECT_EQ(edges.size(), 12u);
+  for (const EdgeFacts& each : edges) {
     const FilletResult made = chamfered(bar, {each.number}, 2.459e69);
     EXPECT_TRUE(made.solids.empty());
     EXPECT_FALSE(made.refused.empty());

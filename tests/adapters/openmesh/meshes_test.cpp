@@ -162,6 +162,7 @@ TEST(Tessellation, JoinsPatchesAndTheSeamOfACylinder) {
 TEST(Tessellation, IsOrientedByTheNormalOfTheSurface) {
   const openmesh::Mesh mesh = openmesh::tessellation(graph(), kTolerance);
 
+  EXPECT_GT(mesh.faces.size(), 1u);
   for (const auto& face : mesh.faces) {
     const auto point = [&](std::size_t k) {
       return mesh.points[static_cast<std::size_t>(face[k])];

@@ -130,7 +130,9 @@ TEST(Pieces, CutThatDividesNothingIsInThePieceRoundIt) {
   const int from_rim = square.cut(4, 7, {line({1, 0}, {1, 2})});
   square.cut(8, 8, arc({1.5, 3}, 0.5, 0, 2 * pi));
   const int in_loop = square.cut(9, 10, {line({1.4, 3}, {1.6, 3})});
-  for (const ChartPiece& piece : pieces(square.arcs).pieces) {
+  const std::vector<ChartPiece> made = pieces(square.arcs).pieces;
+  EXPECT_EQ(made.size(), 3u);
+  for (const ChartPiece& piece : made) {
     const double size = signed_area(square.arcs, piece.outer);
     if (size > 5)
       EXPECT_EQ(piece.inner, std::vector<int>{from_rim});  // 3 x 4

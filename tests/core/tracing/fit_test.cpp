@@ -110,8 +110,15 @@ TEST(Fit, OfALoopInOnePatchGoesRound) {
 
 class FitOf : public ::testing::TestWithParam<SurfacePair> {};
 
+// Of each pair at least one.
+std::vector<IntersectionCurve> curves_of(const SurfacePair& pair) {
+  std::vector<IntersectionCurve> curves = intersect(pair.a, pair.b).curves;
+  EXPECT_FALSE(curves.empty());
+  return curves;
+}
+
 TEST_P(FitOf, BeginsAndEndsInTheTracedPointsExactly) {
-  for (const IntersectionCurve& curve : intersect(GetParam().a, GetParam().b).curves) {
+  for (const IntersectionCurve& curve : curves_of(GetParam())) {
     EXPECT_EQ(curve.curve.points.front(), curve.samples.front().point);
     EXPECT_EQ(curve.chart_a.points.front(), curve.samples.front().uv_a);
     EXPECT_EQ(curve.chart_b.points.front(), curve.samples.front().uv_b);
@@ -125,7 +132,7 @@ TEST_P(FitOf, BeginsAndEndsInTheTracedPointsExactly) {
 }
 
 TEST_P(FitOf, IsParametrisedByArcLengthUnlessItIsAConic) {
-  for (const IntersectionCurve& curve : intersect(GetParam().a, GetParam().b).curves) {
+  for (const IntersectionCurve& curve : curves_of(GetParam())) {
     if (curve.conic) continue;
     EXPECT_EQ(curve.curve.domain(), (Interval{0, curve.length}));
     for (int i = 0; i <= 200; ++i) {
@@ -137,7 +144,7 @@ TEST_P(FitOf, IsParametrisedByArcLengthUnlessItIsAConic) {
 
 // Derivatives of every order that the knot's multiplicity leaves agree from both sides.
 TEST_P(FitOf, HasItsTangentOnBothSidesOfAKnot) {
-  for (const IntersectionCurve& curve : intersect(GetParam().a, GetParam().b).curves)
+  for (const IntersectionCurve& curve : curves_of(GetParam()))
     for (std::size_t i = 1; i + 1 < curve.curve.knots.size(); ++i) {
       if (curve.curve.multiplicities[i] >= 5) continue;
       const double h = 1e-9 * curve.length, t = curve.curve.knots[i];

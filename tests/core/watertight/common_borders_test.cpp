@@ -74,6 +74,7 @@ TEST(CommonBorders, KeepsParametersForCommonBorders) {
   Chart chart = whole(1, 1).circle({0.5, 0.5}, 0.3);
   const TriangulatedRegion region = whole_region(surface, chart, within(1e-8));
 
+  EXPECT_GE(region.arcs.size(), chart.made.borders.size());
   for (const RegionArc& arc : region.arcs) {
     EXPECT_LE(arc.error, 1e-8);
     for (const double t : {0.25, 0.5, 0.9}) {
@@ -115,7 +116,9 @@ TEST(CommonBorders, RunAlongALineThatTheyLeaveInTheChartAlone) {
   chart.made.borders[3].is_point = true;
   const TriangulatedRegion region = whole_region(surface, chart, within(3e-7));
 
+  EXPECT_FALSE(region.pieces.empty());
   for (const RegionPiece& piece : region.pieces) EXPECT_EQ(piece.patch_u, 0);
+  EXPECT_GT(std::ranges::count(region.arcs, 0, &RegionArc::border), 0);
   for (const RegionArc& arc : region.arcs) {
     EXPECT_EQ(arc.patch_u, 0);
     if (arc.border != 0) continue;

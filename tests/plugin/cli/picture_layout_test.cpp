@@ -169,7 +169,9 @@ TEST(Hatch, LeavesHolesOut) {
   const TopoDS_Face bowl = testing::bowl();
   const std::vector<Vec2> outer = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const std::vector<Vec2> hole = {{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
-  for (const auto& line : hatch_lines(bowl, {outer, hole}, 0.05))
+  const std::vector<std::vector<Vec3>> lines = hatch_lines(bowl, {outer, hole}, 0.05);
+  EXPECT_GT(lines.size(), 10u);
+  for (const auto& line : lines)
     for (const Vec3& p : line) EXPECT_GE(std::max(std::abs(p[0]), std::abs(p[1])), 0.2 - 1e-12);
 }
 

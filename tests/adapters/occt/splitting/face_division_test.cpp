@@ -49,6 +49,7 @@ int edges_of(const TopoDS_Face& face) {
 TEST(FaceDivision, NothingDividesWhatHasNoCuts) {
   Faces faces;
   faces.divide();
+  EXPECT_EQ(faces.all.size(), 6u);
   for (const FaceDivision& face : faces.all) {
     ASSERT_EQ(face.split().pieces.size(), 1u);
     EXPECT_TRUE(face.split().pieces[0].face.IsSame(face.face()));
