@@ -265,20 +265,25 @@ std::string described(const Draw& draw, const PlacedDraw& placed,
 
 struct Trial {
   std::string fault;
+  std::string description;
   double milliseconds = 0;
 };
 
-// The draw of a seed, put to the test.
-Trial trial(int seed) {
+Trial tried(int seed) {
   Random random = testing::seeded(seed);
   const Draw draw = random_draw(random);
   const PlacedDraw placed = place(draw, random);
   const auto start = std::chrono::steady_clock::now();
   const SurfaceIntersection found = intersect(placed.pair.a, placed.pair.b);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  const std::string why = fault(draw, placed, found);
-  EXPECT_EQ(why, "") << "seed " << seed << ", " << described(draw, placed, found);
-  return {why, time.count()};
+  return {fault(draw, placed, found), described(draw, placed, found), time.count()};
+}
+
+// The draw of a seed, put to the test.
+Trial trial(int seed) {
+  Trial done = tried(seed);
+  EXPECT_EQ(done.fault, "") << "seed " << seed << ", " << done.description;
+  return done;
 }
 
 TEST(RandomContacts, HaveTheComponentsTheyWereBuiltWith) {
@@ -303,6 +308,14 @@ TEST(RandomContacts, HaveTheComponentsTheyWereBuiltWith) {
 // than, a branch with a sharp turn, and a loop that one order takes for a cusp.
 TEST(RandomContacts, StayRightWhereTheyOnceWereWrong) {
   for (const int seed : {42, 572, 191, 3, 1143, 878, 1525, 1581, 2955, 1184}) trial(seed);
+}
+
+// They are left out above; what becomes right is to be named there no more.
+TEST(RandomContacts, AreWrongWhereThatIsKnownAndNeverSaidToBeComplete) {
+  for (const int seed : kKnownFaults) {
+    const Trial done = tried(seed);
+    EXPECT_EQ(done.fault, "wrong") << "seed " << seed << ", " << done.description;
+  }
 }
 
 }  // namespace
