@@ -17,8 +17,8 @@ namespace {
 // them over the box, off symmetric places. A choice: the last ones are a 400th of the box apart.
 constexpr int kFirstLines = 3, kMaxLines = 384;
 constexpr double kGolden = 0.6180339887498949;
-// Of a stretch: nearly its middle. From the very middle of symmetric faces rays meet seams and
-// edges of others: 6 of 600 random solids were refused for that.
+// Of a stretch: nearly its middle, atan(1 / 2). From the very middle of symmetric faces rays meet
+// seams and edges of others, so that 1 % of random solids would be refused.
 constexpr double kMiddle = 0.4636476090008061;
 // Parts of the box's size: within so much it is told where a line meets a wire. The first is enough
 // for all but thin faces; the others halve the digits that are left, down to roundings.
