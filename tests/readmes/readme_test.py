@@ -25,6 +25,7 @@ folder = Path(given.folder)
 ELSEWHERE = {
     "samples/run.sh": "people and continuous integration",
     "tests/run.sh": "this test is a part of it",
+    "export PATH=$PWD/build/release/plugin/cli:$PATH && cd build/samples": "this test's own PATH and folder",
     "cmake --build build/release --target installable": "tests/package.sh",
     "sudo cmake --install build/release": "install.staged",
     "cpack --config build/release/CPackConfig.cmake": "tests/package.sh",
