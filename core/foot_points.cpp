@@ -22,8 +22,8 @@
 namespace blossom {
 namespace {
 
-constexpr int kSteps = 60;
-constexpr int kPieceBudget = 20'000;
+constexpr int kSteps = 60;            // of a contraction that halves what is left, up to roundings
+constexpr int kPieceBudget = 20'000;  // a choice: so many pieces are looked at, and the rest open
 // Second derivatives whose determinant is this small, as a part of their size, tell nothing.
 constexpr double kFlat = 1e-9;
 // A derivative this small beside the other one is that of a collapsed side.

@@ -32,6 +32,8 @@
 namespace blossom::occt {
 namespace {
 
+// Of curves without a form as splines, which are fitted: of their size, far below what tolerances
+// of edges leave; and their spans, a choice.
 constexpr double kRelativeError = 1e-9;
 constexpr int kMaxChartSpans = 400;
 

@@ -23,13 +23,15 @@
 namespace blossom::occt {
 namespace {
 
+// Choices: of a span, whose gap has few bends, and of an edge of one span, as BRepCheck takes 23.
 constexpr int kSamplesPerSpan = 12;
 constexpr int kMinSamples = 96;
 constexpr double kShift = 0.381966;    // of samples, as a part of their distance
 constexpr int kMinSamplesOfArcs = 16;  // of sines and cosines once and twice a turn
 constexpr double kStraight = 1e-9;     // sine: a line in the chart that runs along a direction
 constexpr double kRefined = 1e-8;      // of the distance of two samples: where a gap is largest
-constexpr int kNewtonSteps = 8;
+constexpr int kNewtonSteps = 8;        // from a foot that is near: each doubles its digits
+
 double finite_or_infinite(double length) { return std::isfinite(length) ? length : kInfinity; }
 
 // The curves of an edge on a face; `place` is the range of the pcurve, `range` that of the other.

@@ -15,8 +15,8 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kHyperbolaWithin = 1e-9;  // model units
-constexpr int kMaxSpans = 100;
+constexpr double kHyperbolaWithin = 1e-9;  // model units: a hundredth of the least tolerance
+constexpr int kMaxSpans = 100;             // a choice, as is the degree
 constexpr int kMaxSplineDegree = 9;
 
 bool is_hyperbola(const Handle(Geom_Curve) & curve) {

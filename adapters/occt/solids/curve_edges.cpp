@@ -13,8 +13,8 @@
 namespace blossom::occt {
 namespace {
 
-constexpr int kChords = 16;
-constexpr double kEndPart = 0.25;
+constexpr int kChords = 16;        // by which a curve's length is told
+constexpr double kEndPart = 0.25;  // of an edge: ends so near each other may be one
 
 // Uses along an edge have the middle half of their range.
 Interval whole_range(const Interval& middle) {

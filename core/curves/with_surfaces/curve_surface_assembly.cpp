@@ -14,9 +14,9 @@
 namespace blossom {
 namespace {
 
-constexpr int kSamples = 33;
-constexpr int kThirds = 60;
-constexpr int kHalvings = 60;
+constexpr int kSamples = 33;          // of the gap along a run: a choice
+constexpr int kThirds = 60;           // of a run, that are taken off: 3e-11 of it is left
+constexpr int kHalvings = 60;         // of a run, beyond the roundings of its parameters
 constexpr double kTangential = 1e-6;  // sine below which a contact counts as tangential
 constexpr double kBorder = 1e-9;     // of a patch; places this near its border may be a neighbour's
 constexpr double kCloser = 1. / 16;  // the tolerances of closer looks fall by this

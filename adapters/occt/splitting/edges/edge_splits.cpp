@@ -32,6 +32,7 @@ constexpr double kSameOnPole = 1e-9;
 // Two faces that meet in an edge may be apart by twice its tolerance, and a cut that runs through
 // both meets the edge at an angle: so many tolerances apart are its two ends still one split.
 constexpr double kFaceDisagreement = 4;
+// Some eight for each of the 23 that BRepCheck takes, which see other places.
 constexpr int kEdgeDeviationSamples = 187;
 
 // The triangulation of the whole edge is none of its pieces.

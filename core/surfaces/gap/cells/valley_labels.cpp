@@ -15,11 +15,12 @@ constexpr double kContactGap = 2;      // tolerances: gaps up to this may be cal
 constexpr double kBorderGap = 1.5;     // the same where the valley crosses a border
 constexpr double kEdgeGap = 1.0 / 64;  // tolerances: gap along an edge that counts as contact
 constexpr double kAcross = 0.7;        // cosine: a direction that crosses an edge
+// Choices: pieces of a valley between two borders, and those if signs alone are to tell.
 constexpr int kMaxPieces = 400;
 constexpr int kMaxExactPieces = 40;
 constexpr double kShallow = 1.0 / 64;  // of the tolerance: depth of what is no contact
-constexpr int kDepthSamples = 8;
-constexpr double kSure = 2;  // errors: a gap larger than this has a sure sign
+constexpr int kDepthSamples = 8;       // parts of a piece, between which its depth is sampled
+constexpr double kSure = 2;            // errors: a gap larger than this has a sure sign
 constexpr std::array kCuts{kSurfaceOffMiddle, 0.4231,
                            0.5617};      // of a piece: where it may be halved
 constexpr double kShortestPiece = 1e-9;  // of the cell
