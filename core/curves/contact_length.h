@@ -11,8 +11,9 @@ namespace blossom {
 
 /// A contact shorter than this is a point. Two curves that touch with the curvature of their own
 /// size stay within tolerance of each other along a third of that.
-inline double tangency_length(double tolerance, double size) {
-  return 10 * std::sqrt(tolerance * size);
+inline double curve_touch_length(double tolerance, double size) {
+  constexpr double kCurveTouch = 10;
+  return kCurveTouch * std::sqrt(tolerance * size);
 }
 
 /// A longer one is a run if the gap, sampled along it, is far below the tolerance along most of

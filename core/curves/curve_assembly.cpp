@@ -35,7 +35,7 @@ CurveAssembly::CurveAssembly(CurveTree& a, CurveTree& b, double tolerance)
       tolerance_(tolerance),
       itself_(&a == &b),
       margin_(2 * (a.evaluation_margin() + b.evaluation_margin())),
-      touch_length_(tangency_length(tolerance, std::min(a.size(), b.size()))) {}
+      touch_length_(curve_touch_length(tolerance, std::min(a.size(), b.size()))) {}
 
 CurveAssembly::Candidate CurveAssembly::candidate(const SpanPoint& a, const SpanPoint& b) const {
   return candidate(CurveFoot{a, b, a_.jet(a), b_.jet(b)});

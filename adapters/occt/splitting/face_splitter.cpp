@@ -209,7 +209,7 @@ bool FaceSplitter::add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meet
     const double most = is_known ? allowed : reach(lifted_cut);
     const Vec2 point = point_at(of.curve, splits_.parameter(edge_of(of), split));
     const double length = distance(point, met);
-    if (length > tangency_length(trims_, reach(lifted_cut))) continue;
+    if (length > wire_touch_length(trims_, reach(lifted_cut))) continue;
     const PlanarFoot foot = nearest_of_line(lifted_cut.curve, point);
     if (foot.distance > (is_known ? std::max(most, kLiesReach * reach(lifted_cut)) : most))
       continue;
@@ -333,7 +333,7 @@ void FaceSplitter::add_crossings() {
       if (are_disjoint(box_of(a.curve), box_of(b.curve), widest)) continue;
       check_limit(limit_, kDividing);
       const CutCrossings common =
-          cut_crossings(a.curve, b.curve, widest, tangency_length(trims_, widest));
+          cut_crossings(a.curve, b.curve, widest, wire_touch_length(trims_, widest));
       for (const CutCrossing& crossing : common.nodes) {
         if (std::ranges::all_of(crossing.a, [&](double t) { return is_in_end_node(a, t); }) &&
             std::ranges::all_of(crossing.b, [&](double t) { return is_in_end_node(b, t); }))

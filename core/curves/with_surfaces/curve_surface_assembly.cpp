@@ -43,7 +43,7 @@ CurveSurfaceAssembly::CurveSurfaceAssembly(const CurveTree& curve, const BezierS
       trees_(trees),
       tolerance_(tolerance),
       margin_(2 * (curve.evaluation_margin() + trees.evaluation_margin())),
-      touch_length_(tangency_length(tolerance, curve.size())) {}
+      touch_length_(curve_touch_length(tolerance, curve.size())) {}
 
 CurveSurfaceAssembly::Candidate CurveSurfaceAssembly::candidate(const SpanPoint& t, int patch,
                                                                 const Vec2& uv) const {

@@ -81,7 +81,7 @@ CurveSurfaceSearch::CurveSurfaceSearch(CurveTree& curve, SurfaceTrees& surface, 
       surface_(surface),
       work_(work),
       tolerance_(tolerance),
-      valley_{tolerance, tangency_length(tolerance, curve.size()),
+      valley_{tolerance, curve_touch_length(tolerance, curve.size()),
               4 * (curve.evaluation_margin() + surface.evaluation_margin())} {}
 
 CurveSurfaceFindings CurveSurfaceSearch::run(const std::vector<CurveSurfaceContact>& inside) {

@@ -162,7 +162,7 @@ bool keeps_to_border(const FaceTrims& trims, const Spline2& chart, double tolera
     return in_chart(trims, point_at(chart, at(domain, part)));
   };
   const Vec2 middle = place(0.5);
-  if (distance(place(0), middle) + distance(middle, place(1)) > tangency_length(trims, tolerance))
+  if (distance(place(0), middle) + distance(middle, place(1)) > wire_touch_length(trims, tolerance))
     return false;
   return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double part) {
     const Vec2 point = place(part);

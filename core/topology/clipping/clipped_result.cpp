@@ -145,7 +145,7 @@ bool only_touches(const IntersectionCurve& whole, const Interval& part, const Tr
   const auto on_wire = [&](double t) {
     return border_at(by.trims, point_at(by.chart, t)).has_value();
   };
-  const double length = length_of(whole, part), most = tangency_length(by.trims, tolerance);
+  const double length = length_of(whole, part), most = wire_touch_length(by.trims, tolerance);
   if (length > most || !on_wire(at(part, 0.5))) return false;
   const auto around = std::ranges::find_if(by.inside, [&](const Interval& inside) {
     return inside.from <= part.from && part.to <= inside.to;
@@ -235,7 +235,7 @@ Interval widened(const Interval& range, double by) { return {range.from - by, ra
 // Whether surfaces that touch in a contact may be within tolerance of each other inside, too.
 bool may_reach_inside(const FaceTrims& trims, const Interval& u, const Interval& v,
                       double tolerance) {
-  const double reach = tangency_length(trims, tolerance);
+  const double reach = wire_touch_length(trims, tolerance);
   return may_lie_inside(trims, widened(u, reach / trims.scale[0]),
                         widened(v, reach / trims.scale[1]));
 }

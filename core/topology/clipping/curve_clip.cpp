@@ -78,7 +78,7 @@ std::vector<char> along_wires(const FaceTrims& trims, const PlanarCurve& curve,
                 distance(middle, point_at(curve, piece.to));
       tolerance = std::max(tolerance, *kept);
     }
-    const bool is_long = length > tangency_length(trims, tolerance);
+    const bool is_long = length > wire_touch_length(trims, tolerance);
     for (std::size_t k = i; k < next; ++k) along[k] = is_long;
   }
   for (std::size_t i = 0; i < pieces; ++i)
@@ -171,7 +171,7 @@ void shrink_touches(const FaceTrims& trims, const PlanarCurve& curve,
   for (Interval& part : inside) {
     const Vec2 middle = point_at(curve, at(part, 0.5));
     if (distance(point_at(curve, part.from), middle) + distance(middle, point_at(curve, part.to)) >
-        tangency_length(trims, kOnWire))
+        wire_touch_length(trims, kOnWire))
       continue;
     const bool touches = [&] {
       for (const double t : {0.5, 0.25, 0.75})
@@ -301,8 +301,9 @@ double distance_to_wires(const FaceTrims& trims, const Vec2& point) {
 
 }  // namespace
 
-double tangency_length(const FaceTrims& trims, double tolerance) {
-  return 4 * std::sqrt(tolerance * norm(trims.box.high - trims.box.low));
+double wire_touch_length(const FaceTrims& trims, double tolerance) {
+  constexpr double kWireTouch = 4;  // squared: 8 times 2
+  return kWireTouch * std::sqrt(tolerance * norm(trims.box.high - trims.box.low));
 }
 
 ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double tolerance) {
@@ -326,7 +327,7 @@ std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart
   const PlanarBox poles = box_of_poles(chart, trims.scale);
   if (trims.natural && holds(trims.box, poles)) {
     std::vector<Interval> whole{chart.domain()};
-    if (norm(poles.high - poles.low) <= tangency_length(trims, kOnWire))
+    if (norm(poles.high - poles.low) <= wire_touch_length(trims, kOnWire))
       shrink_touches(trims, chart_curve(trims, chart), whole);
     return whole;
   }

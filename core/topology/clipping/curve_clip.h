@@ -40,8 +40,9 @@ struct ClippedCurve {
 };
 
 /// What touches a wire with a radius of curvature r keeps within a tolerance t for sqrt(8 r t).
-/// What does so longer than this runs along the wire.
-double tangency_length(const FaceTrims& trims, double tolerance);
+/// What does so longer than this, as with twice the diagonal of the face for a radius, runs along
+/// the wire.
+double wire_touch_length(const FaceTrims& trims, double tolerance);
 
 /// Clips a curve in chart coordinates, where it lies (no periods are added).
 /// tolerance   distance that counts as meeting, chart coordinates

@@ -52,7 +52,7 @@ std::optional<double> one_touch_at(const FaceTrims& trims, const PlanarCurve& cu
   const Vec2 middle = point_at(curve, 0.5 * (a.at + b.at));
   const double length =
       distance(point_at(curve, a.at), middle) + distance(middle, point_at(curve, b.at));
-  if (length <= tolerance || length > tangency_length(trims, tolerance)) return {};
+  if (length <= tolerance || length > wire_touch_length(trims, tolerance)) return {};
   const bool keeps = std::all_of(kBetween.begin(), kBetween.end(), [&](double t) {
     const Vec2 point = point_at(curve, at(Interval{a.at, b.at}, t));
     return nearest(of_a.curve, point).distance <= tolerance ||
@@ -117,7 +117,7 @@ void shrink_ends_of_touches(const FaceTrims& trims, const PlanarCurve& curve, do
     const std::optional<double> end = only_bound_end(curve, edge, run, tolerance);
     if (!end) return false;
     const double other = *end == run.at.from ? run.at.to : run.at.from;
-    if (chord_length(curve, run.at) > tangency_length(trims, tolerance) &&
+    if (chord_length(curve, run.at) > wire_touch_length(trims, tolerance) &&
         !leaves(curve, edge, *end, other, tolerance))
       return false;
     std::erase_if(found.meetings, [&](const TrimMeeting& meeting) {
@@ -173,7 +173,7 @@ void join_touch_at_ends(const FaceTrims& trims, const PlanarCurve& curve, double
       before = point;
     }
   }
-  if (length > tangency_length(trims, tolerance)) return;
+  if (length > wire_touch_length(trims, tolerance)) return;
   const double place = nearest(of.curve, point_at(curve, domain.from)).parameter;
   first = {domain.from, first.loop, first.coedge, place, {domain.from, first.at}};
   last = {domain.to, last.loop, last.coedge, place, {last.at, domain.to}};
