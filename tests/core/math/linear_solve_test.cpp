@@ -36,5 +36,13 @@ TEST(LinearSolve, RefusesAMatrixWithoutItsRank) {
   EXPECT_FALSE(solve<2>({Vec2{0, 0}, Vec2{0, 0}}, b));
 }
 
+TEST(SolvedByCramersRule, IsExactForSmallNumbersAndNothingIfDependent) {
+  const Vec3 a{1, 0, 2}, b{0, 3, 1}, c{1, 1, 0};
+  const auto x = solved(a, b, c, 2.0 * a - 1.0 * b + 4.0 * c);
+  ASSERT_TRUE(x);
+  EXPECT_EQ(*x, (Vec3{2, -1, 4}));
+  EXPECT_FALSE(solved(a, b, a + b, c));
+}
+
 }  // namespace
 }  // namespace blossom
