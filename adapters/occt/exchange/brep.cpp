@@ -32,6 +32,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/listening.h"
 #include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/exchange/brep_words.h"
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/exchange/file_text.h"
 #include "adapters/occt/exchange/places.h"
@@ -168,6 +169,7 @@ TopoDS_Shape text_shape(std::string_view text, ReadingReport& report) {
   const Table shapes = tables["TShapes"];
   const bool cut = is_cut_off(shapes);
   if (shapes.count == 0) return {};
+  check_counts(text, false);
   std::string fit(text);
   if (const Table places = tables["Locations"]; places.found)
     spoil_unfit_places(
@@ -225,6 +227,7 @@ EntriesOfPlaces places_in(const std::string& bytes) {
 }
 
 TopoDS_Shape binary_shape(const std::string& bytes) {
+  check_counts(bytes, true);
   std::string fit = bytes;
   spoil_unfit_places(fit, places_in(bytes));
   StrictStream in(std::move(fit));

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -34,7 +33,7 @@
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/exchange/file_text.h"
+#include "adapters/occt/exchange/brep_words.h"
 
 namespace blossom::occt {
 namespace {
@@ -57,65 +56,22 @@ bool can_be_baked(double scale) {
   return std::isfinite(scale) && std::abs(scale) > std::numeric_limits<double>::min();
 }
 
-/// A number of a content, and where it stands.
-struct MatrixEntry {
-  std::size_t at = 0, length = 0;
-  double value = 0;
-};
-using PlaceMatrix =
-    std::array<MatrixEntry, 12>;  // by rows of four, of which the last is the translation
+// By rows of four, of which the last is the translation.
+using PlaceMatrix = std::array<BrepWords::Number, 12>;
 
-/// Goes through a table of places.
-class PlaceTable {
- public:
-  PlaceTable(const std::string& content, const EntriesOfPlaces& where)
-      : content_(content), at_(where.at), count_(where.count), binary_(where.binary) {}
-
-  std::vector<PlaceMatrix> matrices() {
-    std::vector<PlaceMatrix> all;
-    for (long i = 0; i < count_ && at_ < content_.size(); ++i) {
-      if (kind() == kMatrix)
-        for (MatrixEntry& each : all.emplace_back()) each = number();
-      else
-        while (at_ < content_.size() && integer() != 0) integer();
-    }
-    if (at_ >= content_.size()) all.clear();  // it is cut off, which its reader tells
-    return all;
+std::vector<PlaceMatrix> matrices_of(const std::string& content, const EntriesOfPlaces& where) {
+  constexpr int kMatrix = 1;  // 2 is a product of powers of others: pairs up to a 0
+  BrepWords words(content, where.at, where.binary);
+  std::vector<PlaceMatrix> all;
+  for (long i = 0; i < where.count && !words.ended(); ++i) {
+    if (words.kind() == kMatrix)
+      for (BrepWords::Number& each : all.emplace_back()) each = words.real();
+    else
+      while (!words.ended() && words.integer() != 0) words.integer();
   }
-
- private:
-  static constexpr int kMatrix = 1;  // 2 is a product of powers of others: pairs up to a 0
-
-  std::string word() {
-    while (at_ < content_.size() && is_blank(content_[at_])) ++at_;
-    const std::size_t start = at_;
-    while (at_ < content_.size() && !is_blank(content_[at_])) ++at_;
-    return content_.substr(start, at_ - start);
-  }
-
-  template <class Value>
-  Value bytes() {
-    Value value{};
-    if (at_ + sizeof(Value) <= content_.size())
-      std::memcpy(&value, content_.data() + at_, sizeof(Value));
-    at_ += sizeof(Value);
-    return value;
-  }
-
-  int kind() { return binary_ ? bytes<char>() : std::atoi(word().c_str()); }
-  int integer() { return binary_ ? bytes<int>() : std::atoi(word().c_str()); }
-
-  MatrixEntry number() {
-    if (binary_) return {at_, sizeof(double), bytes<double>()};
-    const std::string text = word();
-    return {at_ - text.size(), text.size(), std::strtod(text.c_str(), nullptr)};
-  }
-
-  const std::string& content_;
-  std::size_t at_;
-  const long count_;
-  const bool binary_;
-};
+  if (words.ended()) all.clear();  // it is cut off, which its reader tells
+  return all;
+}
 
 bool turns_and_scales(const PlaceMatrix& matrix) {
   double products[3][3], largest = 0;
@@ -291,11 +247,11 @@ void check_place(const TopoDS_Shape& shape) {
 }
 
 void spoil_unfit_places(std::string& content, const EntriesOfPlaces& where) {
-  std::vector<PlaceMatrix> matrices = PlaceTable(content, where).matrices();
+  std::vector<PlaceMatrix> matrices = matrices_of(content, where);
   std::erase_if(matrices, turns_and_scales);
   for (auto matrix = matrices.rbegin(); matrix != matrices.rend(); ++matrix) {
     const double none = std::numeric_limits<double>::quiet_NaN();
-    const MatrixEntry& first = matrix->front();
+    const BrepWords::Number& first = matrix->front();
     if (where.binary)
       std::memcpy(content.data() + first.at, &none, sizeof(none));
     else

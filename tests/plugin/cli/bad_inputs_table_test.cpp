@@ -79,6 +79,11 @@ std::string with_count(std::string text, const std::string& table) {
   return text.replace(start, text.find('\n', start) - start, "2147483647");
 }
 
+std::string with_first_surface(std::string text, const std::string& surface) {
+  const std::size_t heading = text.find("\nSurfaces ") + 1;
+  return text.insert(text.find('\n', heading) + 1, surface);
+}
+
 constexpr int kSections = 13;  // the first is the file's comment
 
 class BadInputsTable : public ::testing::TestWithParam<int> {
@@ -169,6 +174,7 @@ class BadInputsTable : public ::testing::TestWithParam<int> {
                           "#3=REPRESENTATION_MAP(#2,#1);\nENDSEC;\nEND-ISO-10303-21;\n"},
         {"many.brep", with_count(brep, "Surfaces")},
         {"shapes.brep", with_count(brep, "TShapes")},
+        {"rows.brep", with_first_surface(brep, "9 0 0 0 0 1 1 2147483647 4 2 2 ")},
         {"noresult.jsonl", "{\"id\": \"a\"}\n"},
         {"cut.step", step.substr(0, step.size() / 3)},
         {"cut.brep", brep.substr(0, brep.size() / 2)},

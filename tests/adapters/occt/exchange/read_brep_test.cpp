@@ -2,7 +2,6 @@
 // Damaged and odd BREP files.
 
 #include <filesystem>
-#include <new>
 #include <sstream>
 #include <string>
 
@@ -112,14 +111,6 @@ TEST(ReadingBrep, NamesTheTableWithMoreEntriesThanTheFileHasLines) {
                          replaced(sample(".brep"), "\nCurves ", "\nCurves 20000000"));
   EXPECT_EQ(refusal(folder / "many.brep"),
             "is damaged: it cannot have as many entries as its table 'Curves' says");
-}
-
-// Which file it is, the doors say.
-TEST(ReadingBrep, LacksMemoryForAFileThatAsksForTooManyPoints) {
-  const Folder folder;
-  testing::write_content(folder / "huge.brep",
-                         with_entry("Surfaces", "9 0 0 0 0 1 1 2000000000 2000000000 2 2 0 0 0 "));
-  EXPECT_THROW(refusal(folder / "huge.brep"), std::bad_alloc);
 }
 
 TEST(ReadingBrep, RefusesFilesWhoseParameterCurvesAreLost) {
