@@ -55,18 +55,48 @@ double between_nodes(int i) {
   return (1 - std::cos(std::numbers::pi * (i + 0.5) / kNodeDegree)) / 2;
 }
 
+/// Where a patch is compared with what it fits, in each direction: between the nodes, and in the
+/// first, the middle and the last of them.
+constexpr int kPatchSamples = kNodeDegree + 3;
+
+bool is_node(int sample) { return sample >= kNodeDegree; }
+
+double sample(int k) {
+  return is_node(k) ? node((k - kNodeDegree) * kNodeDegree / 2) : between_nodes(k);
+}
+
+/// Values of the Bernstein polynomials in [0, 1].
+std::array<long double, kNodeDegree + 1> bernstein(long double t) {
+  constexpr int n = kNodeDegree;
+  std::array<long double, n + 1> values{};
+  long double binomial = 1;
+  for (int j = 0; j <= n; ++j) {
+    values[static_cast<std::size_t>(j)] = binomial * std::pow(t, static_cast<long double>(j)) *
+                                          std::pow(1 - t, static_cast<long double>(n - j));
+    binomial = binomial * (n - j) / (j + 1);
+  }
+  return values;
+}
+
+/// Those of each sample, by rows: patches have the same ones, of which there are many.
+const Grid<double>& sample_basis() {
+  static const Grid<double> basis = [] {
+    Grid<double> b(kPatchSamples, kNodeDegree + 1);
+    for (int k = 0; k < kPatchSamples; ++k)
+      for (int j = 0; j <= kNodeDegree; ++j)
+        b(k, j) = static_cast<double>(bernstein(sample(k))[static_cast<std::size_t>(j)]);
+    return b;
+  }();
+  return basis;
+}
+
 /// Values of the Bernstein polynomials (columns) in the nodes (rows), beside the unit matrix.
 Grid<long double> fit_system() {
   constexpr int n = kNodeDegree;
   Grid<long double> a(n + 1, 2 * n + 2);
   for (int i = 0; i <= n; ++i) {
-    const long double t = node(i);
-    long double binomial = 1;
-    for (int j = 0; j <= n; ++j) {
-      a(i, j) = binomial * std::pow(t, static_cast<long double>(j)) *
-                std::pow(1 - t, static_cast<long double>(n - j));
-      binomial = binomial * (n - j) / (j + 1);
-    }
+    const std::array<long double, n + 1> values = bernstein(node(i));
+    for (int j = 0; j <= n; ++j) a(i, j) = values[static_cast<std::size_t>(j)];
     a(i, n + 1 + i) = 1;
   }
   return a;
@@ -262,31 +292,35 @@ class SurfaceFit {
     return {knots[static_cast<std::size_t>(i)], knots[static_cast<std::size_t>(i + 1)]};
   }
 
-  static Vec3 point(const RationalBezierPatch& net, double s, double t) {
-    FitPoints rows, row;
-    for (int i = 0; i <= kNodeDegree; ++i) {
-      for (int j = 0; j <= kNodeDegree; ++j) row[static_cast<std::size_t>(j)] = net.points(i, j);
-      rows[static_cast<std::size_t>(i)] = casteljau(row, t);
-    }
-    return head(casteljau(rows, s));
+  /// The patch at all pairs of `sample`.
+  static Grid<Vec3> samples_of(const RationalBezierPatch& net) {
+    const Grid<double>& basis = sample_basis();
+    Grid<Vec4> half(kPatchSamples, kNodeDegree + 1);
+    for (int i = 0; i < kPatchSamples; ++i)
+      for (int c = 0; c <= kNodeDegree; ++c)
+        for (int r = 0; r <= kNodeDegree; ++r) half(i, c) += basis(i, r) * net.points(r, c);
+    Grid<Vec3> samples(kPatchSamples, kPatchSamples);
+    for (int i = 0; i < kPatchSamples; ++i)
+      for (int j = 0; j < kPatchSamples; ++j) {
+        Vec4 sum{};
+        for (int c = 0; c <= kNodeDegree; ++c) sum += basis(j, c) * half(i, c);
+        samples(i, j) = head(sum);
+      }
+    return samples;
   }
 
   PatchError error_of(const RationalBezierPatch& net, const Interval& u, const Interval& v) const {
+    const Grid<Vec3> samples = samples_of(net);
     PatchError error;
-    const auto gap = [&](double s, double t) {
-      const double found = distance(point(net, s, t), value_(at(u, s), at(v, t)));
-      error.all = std::max(error.all, found);
-      return found;
-    };
-    // On lines through nodes the interpolation errs in one direction alone.
-    for (int i = 0; i < kNodeDegree; ++i) {
-      const double x = between_nodes(i);
-      for (const int line : {0, kNodeDegree / 2, kNodeDegree}) {
-        error.u = std::max(error.u, gap(x, node(line)));
-        error.v = std::max(error.v, gap(node(line), x));
+    for (int i = 0; i < kPatchSamples; ++i)
+      for (int j = 0; j < kPatchSamples; ++j) {
+        if (is_node(i) && is_node(j)) continue;
+        const double gap = distance(samples(i, j), value_(at(u, sample(i)), at(v, sample(j))));
+        error.all = std::max(error.all, gap);
+        // On lines through nodes the interpolation errs in one direction alone.
+        if (is_node(j)) error.u = std::max(error.u, gap);
+        if (is_node(i)) error.v = std::max(error.v, gap);
       }
-      for (int j = 0; j < kNodeDegree; ++j) gap(x, between_nodes(j));
-    }
     return error;
   }
 
