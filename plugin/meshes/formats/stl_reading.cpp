@@ -49,7 +49,7 @@ FileMesh read_binary(std::string_view bytes) {
                      std::to_string(room) + ": it is cut off or no STL file");
   FileMesh mesh;
   mesh.triangles.reserve(count);
-  PlaceNumbers places(mesh.points);
+  PlaceNumbers places(mesh.points, count / 2);  // a closed mesh has half as many points
   for (std::uint32_t k = 0; k < count; ++k) {
     std::array<float, 9> numbers{};
     std::memcpy(numbers.data(), bytes.data() + kStlHeader + kStlFacet * k + kStlNormal,

@@ -172,6 +172,31 @@ TEST(TextStl, SaysInWhichLineItIsWrong) {
             std::string::npos);
 }
 
+TEST(BinaryStl, HasEachPlaceOnceHoweverManyThereAre) {
+  constexpr int kSide = 60;
+  FileMesh grid;
+  for (int i = 0; i <= kSide; ++i)
+    for (int j = 0; j <= kSide; ++j) grid.points.push_back({1.0 * i, 1.0 * j, 0.5 * (i ^ j)});
+  for (int i = 0; i < kSide; ++i)
+    for (int j = 0; j < kSide; ++j) {
+      const int a = i * (kSide + 1) + j, b = a + kSide + 1;
+      grid.triangles.push_back({a, b, b + 1});
+      grid.triangles.push_back({a, b + 1, a + 1});
+    }
+  const auto corners = [](const FileMesh& mesh) {
+    std::vector<Vec3> all;
+    for (const std::array<int, 3>& triangle : mesh.triangles)
+      for (const int corner : triangle)
+        all.push_back(mesh.points[static_cast<std::size_t>(corner)]);
+    return all;
+  };
+  for (const std::string& bytes : {stl_bytes(grid), stl_text(grid)}) {
+    const FileMesh read = read_stl(bytes);
+    EXPECT_EQ(read.points.size(), grid.points.size());
+    EXPECT_EQ(corners(read), corners(grid));
+  }
+}
+
 TEST(BinaryStl, MayBeginWithSolidAndFacet) {
   std::string bytes = stl_bytes(tetrahedron());
   bytes.replace(0, 20, "solid facet normal 1");
