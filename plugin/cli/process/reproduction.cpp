@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -84,13 +86,46 @@ bool is_output(const std::string& word) {
   return false;
 }
 
-// The command without what it writes.
-Words without_outputs(const Words& words) {
+/// What becomes of the files that a command writes.
+enum class Outputs {
+  None,      ///< it writes none
+  InFolder,  ///< under other names, in a folder
+  Kept,      ///< where they were
+};
+
+/// Where a command is to write a file; nothing if it is not to.
+std::optional<std::string> output(Outputs outputs, const std::string& option,
+                                  const std::string& file, const std::string& name) {
+  if (outputs == Outputs::None || option == "--log" || option == kReproduce) return std::nullopt;
+  if (file == "-") return file;
+  return outputs == Outputs::Kept ? std::filesystem::absolute(file).string() : name;
+}
+
+/// The words of a command that writes in another way.
+///
+/// folder   for Outputs::InFolder
+/// files    gets what is written there, if not null
+Words with_outputs(const Words& words, Outputs outputs, const std::filesystem::path& folder,
+                   std::vector<std::filesystem::path>* files = nullptr) {
   Words rest;
+  int number = 0;
+  const auto add = [&](const std::string& option, const std::string& file, const std::string& tie) {
+    const std::string file_name = std::filesystem::path(file).filename().string();
+    const std::string name =
+        folder / ("output" + std::to_string(++number) +
+                  file_name.substr(std::min(file_name.find('.'), file_name.size())));
+    const std::optional<std::string> there = output(outputs, option, file, name);
+    if (there && *there == name && files != nullptr) files->emplace_back(name);
+    if (there && tie.empty()) rest.insert(rest.end(), {option, *there});
+    if (there && !tie.empty()) rest.push_back(option + tie + *there);
+  };
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (is_output(words[i]))
-      ++i;
-    else if (!is_output(words[i].substr(0, words[i].find('='))))
+    const std::size_t tie = words[i].find('=');
+    if (is_output(words[i]) && i + 1 < words.size())
+      add(words[i], words[i + 1], ""), ++i;
+    else if (tie != std::string::npos && is_output(words[i].substr(0, tie)))
+      add(words[i].substr(0, tie), words[i].substr(tie + 1), "=");
+    else
       rest.push_back(words[i]);
   }
   return rest;
@@ -105,28 +140,34 @@ std::string folder_in(const Words& words) {
   return {};
 }
 
-// A model among the words, and which of its faces stay.
+// A model among the words.
 struct Part {
   std::size_t place;  // of the word
   std::filesystem::path file;
-  std::vector<int> faces;  // empty: as they are
+  std::string selection;    // that follows the file's name: "#Shaft", or nothing
+  std::vector<int> faces;   // that may be left out; none of what is no model
+  bool only_faces = false;  // these are what is selected
 
   std::string word() const {
     std::string text = file.string();
+    if (!only_faces) return text + selection;
     for (std::size_t i = 0; i < faces.size(); ++i)
       text += (i == 0 ? "#" : ",") + std::to_string(faces[i]);
     return text;
   }
 };
 
-// How many faces a model has, by a process that may crash; 0 if it does.
+// How many faces a model has, by a process that may crash; 0 if it does, or the file is no model.
 int face_count(const std::filesystem::path& file) {
   void* const memory =
       mmap(nullptr, sizeof(int), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return 0;
   int* const count = new (memory) int(0);
   supervised([&] {
-    *count = read_and_report(file).face_count();
+    try {
+      *count = read_and_report(file).face_count();
+    } catch (const std::exception&) {  // a law or planes, say, or triangles
+    }
     return 0;
   });
   const int result = *count;
@@ -147,10 +188,11 @@ std::vector<int> chosen(const InputName& name) {
 std::vector<Part> parts_of(const Words& words) {
   std::vector<Part> parts;
   for (std::size_t i = 2; i < words.size(); ++i) try {
+      if (is_output(words[i - 1])) continue;
       const InputName name = parse_input(words[i]);
       if (!std::filesystem::is_regular_file(name.file)) continue;
-      parts.push_back(
-          {i, name.file, nets::is_net_file(name.file) ? std::vector<int>{} : chosen(name)});
+      parts.push_back({i, name.file, words[i].substr(name.file.string().size()),
+                       nets::is_net_file(name.file) ? std::vector<int>{} : chosen(name)});
     } catch (const UsageError&) {  // no input
     }
   return parts;
@@ -183,15 +225,17 @@ class Reduction {
 
  private:
   bool halved(std::vector<Part>& parts, std::size_t number) {
-    const std::vector<int> all = parts[number].faces;
+    const Part before = parts[number];
+    const std::vector<int>& all = before.faces;
     if (all.size() < 2) return false;
+    parts[number].only_faces = true;
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     for (const auto& half :
          {std::vector<int>(all.begin(), middle), std::vector<int>(middle, all.end())}) {
       parts[number].faces = half;
       if (repeats(parts)) return true;
     }
-    parts[number].faces = all;
+    parts[number] = before;
     return false;
   }
 
@@ -209,46 +253,65 @@ std::string quoted_word(const std::string& word) {
   return text + "'";
 }
 
-// Puts the input into the folder: the faces alone, if that comes to the same end, or the file.
+// Puts the input into the folder: what is selected alone, if that comes to the same end, or the
+// file.
 void place(std::vector<Part>& parts, std::size_t number, const std::filesystem::path& folder,
            Reduction& reduction) {
   Part& part = parts[number];
   const Part before = part;
   const std::string stem = "input" + std::to_string(number + 1);
-  if (!part.faces.empty()) {
-    part = {part.place, folder / (stem + ".brep"), {}};
+  if (!part.faces.empty() && before.word() != before.file.string()) {
+    part = {part.place, folder / (stem + ".brep"), {}, {}};
     if (end_of({"blossom", "convert", before.word(), "-o", part.file.string(), "-q"}, run_program)
                 .code != kExitFailure &&
         std::filesystem::exists(part.file) && reduction.repeats(parts))
       return;
     std::filesystem::remove(part.file);
   }
-  part = {before.place, folder / (stem + before.file.extension().string()), before.faces};
+  part = before;
+  part.file = folder / (stem + before.file.extension().string());
   std::filesystem::copy_file(before.file, part.file,
                              std::filesystem::copy_options::overwrite_existing);
+}
+
+// Brings the inputs of a command to the folder.
+// returns   its words, with names in the folder
+Words command_within(const Words& words, Outputs outputs, const std::filesystem::path& folder,
+                     std::vector<Part> parts, Reduction& reduction) {
+  if (outputs != Outputs::Kept) reduction.reduce(parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) place(parts, i, folder, reduction);
+  Words command = with_outputs(words, outputs, {});
+  for (Part& part : parts) {
+    part.file = part.file.filename();
+    command[part.place] = part.word();
+  }
+  return command;
+}
+
+// The command in the folder: one that writes nothing, or only there, if that comes to the same end.
+Words smallest_command(const Words& words, const Program& program, End end, double seconds,
+                       const std::filesystem::path& folder) {
+  const Silence silence;
+  for (const Outputs outputs : {Outputs::None, Outputs::InFolder}) {
+    std::vector<std::filesystem::path> files;
+    const Words command = with_outputs(words, outputs, folder, &files);
+    const std::vector<Part> parts = parts_of(command);
+    Reduction reduction(command, program, end, seconds);
+    const bool same = reduction.repeats(parts);
+    const Words result = same ? command_within(words, outputs, folder, parts, reduction) : Words();
+    for (const std::filesystem::path& file : files) std::filesystem::remove(file);
+    if (same) return result;
+  }
+  // Where it writes matters, or it comes to another end each time.
+  const Words command = with_outputs(words, Outputs::Kept, folder);
+  Reduction reduction(command, program, end, seconds);
+  return command_within(words, Outputs::Kept, folder, parts_of(command), reduction);
 }
 
 void reproduce(const Words& words, const Program& program, End end, double seconds,
                const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  Words command = without_outputs(words);
-  std::vector<Part> parts;
-  {
-    const Silence silence;
-    parts = parts_of(command);
-    Reduction reduction(command, program, end, seconds);
-    if (reduction.repeats(parts)) {
-      reduction.reduce(parts);
-    } else {  // it needs its outputs, or comes to another end each time
-      command = words;
-      parts = parts_of(command);
-    }
-    for (std::size_t i = 0; i < parts.size(); ++i) place(parts, i, folder, reduction);
-  }
-  for (Part& part : parts) {
-    part.file = part.file.filename();
-    command[part.place] = part.word();
-  }
+  const Words command = smallest_command(words, program, end, seconds, folder);
   std::ofstream script(folder / "repeat");
   script << "#!/bin/sh\ncd \"$(dirname \"$0\")\" && exec blossom";
   for (std::size_t i = 1; i < command.size(); ++i) script << ' ' << quoted_word(command[i]);

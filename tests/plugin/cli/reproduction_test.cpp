@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <iterator>
 #include <string>
 
 #include "tests/plugin/cli/program.h"
@@ -51,7 +52,39 @@ TEST_F(Reproduction, OfAFailedWriteNeedsTheOutputAndKeepsIt) {
   const Finished run = blossom({"trim", a.string() + "#3", b.string() + "#1", "--keep", "7", "-o",
                                 "/proc/out.step", "--reproduce", case_folder});
   EXPECT_EQ(run.code, 1) << run.err;
-  EXPECT_NE(testing::text_of(case_folder / "repeat").find("'/proc/out.step'"), std::string::npos);
+  const std::string repeat = testing::text_of(case_folder / "repeat");
+  EXPECT_NE(repeat.find("'/proc/out.step'"), std::string::npos);
+  EXPECT_EQ(repeat.find("--reproduce"), std::string::npos);
+}
+
+TEST_F(Reproduction, OfFilesThatAreNoModelsTakesThemAsTheyAre) {
+  const std::filesystem::path mesh = folder / "bowl.stl";
+  testing::write({testing::bowl()}, folder / "bowl.brep");
+  ASSERT_EQ(blossom({"convert", folder / "bowl.brep", "-o", mesh, "-q"}).code, 0);
+  const Finished run =
+      blossom({"convert", mesh, "-o", "/proc/out.ply", "--reproduce", case_folder});
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_TRUE(run.err.ends_with("/repeat does it again\n")) << run.err;
+  EXPECT_EQ(testing::text_of(case_folder / "input1.stl"), testing::text_of(mesh));
+}
+
+// A command that cannot go without its output writes it in the folder: what is there under that
+// name elsewhere is no input, and stays.
+TEST_F(Reproduction, OfACommandThatHasToWriteWritesInItsFolder) {
+  const std::filesystem::path mesh = folder / "mesh.stl", bowl = folder / "bowl.brep";
+  testing::write({testing::bowl()}, bowl);
+  testing::write_text(mesh, "older");
+  const Finished run = blossom({"convert", bowl, "-o", mesh, "--deviation", "1e-9", "--time-limit",
+                                "0.3", "--log", folder / "log.jsonl", "--reproduce", case_folder});
+  ASSERT_EQ(run.code, 4) << run.err;
+  EXPECT_EQ(testing::text_of(mesh), "older");
+  const std::string repeat = testing::text_of(case_folder / "repeat");
+  EXPECT_TRUE(
+      repeat.ends_with(" 'convert' 'input1.brep' '-o' 'output1.stl' '--deviation' '1e-9' "
+                       "'--time-limit' '0.3'\n"))
+      << repeat;
+  const std::filesystem::directory_iterator files(case_folder);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 2);
 }
 
 }  // namespace
