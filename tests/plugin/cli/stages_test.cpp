@@ -61,6 +61,17 @@ TEST_F(Stages, AreLoggedOneAfterTheOtherAndAddUpToTheWhole) {
   EXPECT_EQ(lines.back()["ended"], "exit code 0");
 }
 
+TEST_F(Stages, OfTrianglesAreReadingAndWork) {
+  const std::string mesh = folder / "bowl.stl";
+  ASSERT_EQ(blossom({"convert", folder / "bowl.brep", "-o", mesh, "-q"}).code, 0);
+  ASSERT_EQ(blossom({"info", mesh, "-q", "--log", log}).code, 0);
+  std::vector<std::string> stages;
+  for (const nlohmann::json& line : reports_in(log))
+    if (line.contains("stage")) stages.push_back(line["stage"]);
+  EXPECT_EQ(stages,
+            (std::vector<std::string>{"starting", "reading " + mesh, "working on " + mesh}));
+}
+
 TEST_F(Stages, ALogGoesOnBehindWhatIsThere) {
   for (int i = 0; i < 2; ++i) blossom({"info", folder / "bowl.brep", "-q", "--log", log});
   int ends = 0;

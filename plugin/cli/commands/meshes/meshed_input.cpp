@@ -6,6 +6,7 @@
 #include "adapters/occt/base/errors.h"
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/nets/net_input.h"
+#include "plugin/cli/process/supervision.h"
 #include "plugin/meshes/mesh_parts.h"
 
 namespace blossom::cli {
@@ -22,7 +23,9 @@ bool is_mesh_input(const std::string& input) {
 meshes::FileMesh read_mesh_input(const std::string& input) {
   const InputName name = parse_input(input);
   refuse_special(name.file);
+  enter(Phase::Reading, name.file.string());
   meshes::FileMesh mesh = meshes::read_mesh_file(name.file);
+  enter(Phase::Working, "working on " + name.file.string());
   if (name.is_whole()) return mesh;
   std::vector<int> numbers;
   for (const auto& [first, last] : name.faces)
