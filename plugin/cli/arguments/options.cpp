@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/arguments/options.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,6 +37,20 @@ constexpr double kSearchPart = 0.8;
 const std::map<std::string, CellForm> kForms = {
     {"auto", CellForm::Auto}, {"monomial", CellForm::Monomial}, {"bezier", CellForm::Bezier}};
 
+// Only making a file tells: permissions mean nothing to root, and some folders take no files. One
+// without a name leaves nothing behind, whatever interrupts this; not all systems of files have
+// that.
+bool takes_files(const std::filesystem::path& folder) {
+  int descriptor = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+  if (descriptor < 0) {
+    std::string probe = (folder / ".blossom-XXXXXX").string();
+    descriptor = mkstemp(probe.data());
+    if (descriptor >= 0) unlink(probe.c_str());
+  }
+  if (descriptor >= 0) close(descriptor);
+  return descriptor >= 0;
+}
+
 void require_writable(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
@@ -45,14 +60,9 @@ void require_writable(const std::filesystem::path& file) {
   if (!std::filesystem::is_directory(folder, error))
     throw occt::Failure(file.string() + ": cannot be written, there is no folder " +
                         folder.string());
-  // Only making a file tells: permissions mean nothing to root, and some folders take no files.
-  std::string probe = (folder / ".blossom-XXXXXX").string();
-  const int descriptor = mkstemp(probe.data());
-  if (descriptor < 0)
+  if (!takes_files(folder))
     throw occt::Failure(file.string() + ": cannot be written, the folder " + folder.string() +
                         " takes no file: " + std::strerror(errno));
-  close(descriptor);
-  unlink(probe.c_str());
 }
 
 // What a file is called when all links are followed, also one that is not there yet.
