@@ -23,6 +23,7 @@ import json
 import logging
 import os
 import queue
+import re
 import shutil
 import subprocess
 import sys
@@ -285,6 +286,16 @@ def work(given: argparse.Namespace, lines: list[bytes]) -> None:
                 client.cluster.close()
 
 
+def of_this_run(summary: str, done: int, seconds: float) -> str:
+    """What `blossom batch` says once all results are there, with those that were made now."""
+
+    def told(found: re.Match[str]) -> str:
+        before = int(found[1]) - done
+        return (f"; {before} of them before" if before > 0 else "") + f"; {seconds:.3g} s"
+
+    return re.sub(r"; (\d+) of them before; \S+ s$", told, summary, count=1, flags=re.MULTILINE)
+
+
 def all_done(given: argparse.Namespace) -> int:
     """The exit code."""
     if given.cache:
@@ -298,11 +309,14 @@ def all_done(given: argparse.Namespace) -> int:
     left = subprocess.run([*batch, "--list"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, check=False)
     if left.returncode != 0:
         return left.returncode
+    start = time.monotonic()
     if lines := left.stdout.splitlines(keepends=True):
         work(given, lines)
     # With all results there, it makes the summary and the exit code.
     quiet = ["-q"] if given.quiet else []
-    return subprocess.run([*batch, *quiet], stdin=subprocess.DEVNULL, check=False).returncode
+    end = subprocess.run([*batch, *quiet], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, check=False)
+    print(of_this_run(end.stdout, len(lines), time.monotonic() - start) if lines else end.stdout, end="")
+    return end.returncode
 
 
 def main(arguments: list[str] | None = None) -> int:

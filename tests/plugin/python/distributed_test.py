@@ -91,7 +91,8 @@ class Distributed(unittest.TestCase):
         self.write_jobs({**{f"cut {i}": INTERSECT for i in range(6)}, "missing": ["info", "nowhere.step"]})
         done = self.run_module("--local", "2", "--program", PROGRAM)
         self.assertEqual(done.returncode, 1, done.stderr)  # a job failed
-        self.assertTrue(done.stdout.startswith("7 jobs: 6 done, 0 stopped, 1 failed;"), done.stdout)
+        self.assertTrue(done.stdout.startswith("7 jobs: 6 done, 0 stopped, 1 failed; "), done.stdout)
+        self.assertNotIn("of them before", done.stdout)
         self.assertEqual({k: lasting(v) for k, v in self.found().items()}, self.expected())
         before = self.results.read_text()
         self.assertEqual(self.run_module("--local", "2", "--program", PROGRAM).returncode, 1)
