@@ -253,7 +253,7 @@ void add_forms(py::module_& module) {
       "subdivide_whole",
       [](const SharedModel& model, const NumberList& interval, const NumberList& rectangle,
          const Control& control) {
-        const nets::Cut place = cut_of(interval, rectangle, {}, {}, 0);
+        const nets::Cut place = nets::cut_of({interval, rectangle, {}, {}}, 0);
         return subdivide_whole(model, {.interval = place.interval, .rectangle = place.rectangle},
                                control);
       },
