@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/forms/curve.h"
+#include "core/forms/function.h"
 #include "core/math/binomial.h"
 #include "core/math/four.h"
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kMaxSide = kMaxDegree + 1;
 constexpr int kMaxPlane = kMaxSide * kMaxSide;
+constexpr int kMaxProductPlane = (kMaxProductDegree + 1) * (kMaxProductDegree + 1);
 
 using Matrix = std::array<std::array<double, kMaxSide>, kMaxSide>;
 
@@ -196,7 +198,7 @@ BLOSSOM_KERNEL void bezier_u(int rows, int columns, int planes, const double* ne
 BLOSSOM_KERNEL void bezier_v(int rows, int columns, int planes, const double* net, double cut,
                              double* low, double* high) {
   const int size = rows * columns;
-  double turned_low[kMaxPlane], turned_high[kMaxPlane];
+  double turned_low[kMaxProductPlane], turned_high[kMaxProductPlane];
   for (int k = 0; k < planes; ++k) {
     transpose(rows, columns, net + k * size, turned_high);
     casteljau(columns, rows, cut, turned_high, turned_low);

@@ -33,7 +33,7 @@ struct NetShape {
   friend bool operator==(const NetShape&, const NetShape&) = default;
 };
 
-/// Halves a Bezier net along u (or v) at parameter `cut`.
+/// Halves a Bezier net of degrees up to kMaxProductDegree along u (or v) at parameter `cut`.
 ///
 /// net       shape.size() values, model units
 /// cut       in (0, 1), a fraction of the cell; at 1/2 the averages are exact up to one rounding

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "core/base/errors.h"
+#include "core/forms/algebra/degree.h"
 #include "core/forms/evaluation.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
@@ -88,6 +89,24 @@ TEST(FootPoints, FromTheCentreOfASphereAreNotDecided) {
   for (const FootPoint& foot : feet) {
     EXPECT_EQ(foot.status, Status::Tolerance);
     EXPECT_GT(foot.size, 0);
+  }
+}
+
+// Their forms have degrees of up to three times the patch's.
+TEST(FootPoints, OnElevatedPatchesAreThoseOfThePatches) {
+  auto random = seeded(3);
+  for (const int degree : {9, 14, 20}) {
+    RationalBezierPatch patch = testing::random_patch<Vec4>(random, 2, 2);
+    for (Vec4& p : patch.points.values()) p[3] = uniform(random, 1, 2);
+    const Vec3 point = random_point(random);
+    const std::vector<FootPoint> wanted = foot_points(only(one_patch(patch)), point, kTolerance);
+    const std::vector<FootPoint> found =
+        foot_points(only(one_patch(elevated(patch, degree, degree))), point, kTolerance);
+    ASSERT_EQ(found.size(), wanted.size()) << degree;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found[i].status, wanted[i].status) << degree;
+      EXPECT_NEAR(found[i].distance, wanted[i].distance, 1e-9) << degree;
+    }
   }
 }
 
