@@ -12,10 +12,6 @@
 namespace blossom::fuzz {
 namespace {
 
-bool is_finite(const Vec3& p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 void look_at(const SurfaceIntersection& found) {
   for (const IntersectionCurve& curve : found.curves) {
     require(curve.samples.size() >= 2, "a curve has less than two samples");
