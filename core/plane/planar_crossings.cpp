@@ -2,12 +2,16 @@
 #include "core/plane/planar_crossings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "core/base/errors.h"
+#include "core/curves/contact_length.h"
 #include "core/curves/curve_meeting.h"
+#include "core/math/functions/sign_change.h"
 
 namespace blossom {
 namespace {
@@ -72,6 +76,71 @@ double moved_to_end(const PlanarCurve& curve, double parameter, double tolerance
   return parameter;
 }
 
+// How far a point of the first curve is to the left of the second one, and from where on that.
+struct SideFoot {
+  double left = 0;
+  double at = 0;  // parameter of the second curve
+};
+
+SideFoot side_foot(const PlanarCurve& a, const PlanarCurve& b, double parameter) {
+  const Vec2 point = point_at(a, parameter);
+  const double at = nearest(b, point).parameter;
+  const PlanarJet jet = jet_at(b, at);
+  return {cross(unit(jet.first), point - jet.point), at};
+}
+
+// Where the curves change sides along a contact: parameters of the first curve. A side is what
+// exceeds the margin at a sample.
+std::vector<double> side_changes(const PlanarCurve& a, const PlanarCurve& b,
+                                 const Interval& contact, double margin) {
+  constexpr int kSamples = 32;
+  constexpr double kPlace = 1e-9;  // of the contact
+  const auto left = [&](double parameter) { return side_foot(a, b, parameter).left; };
+  std::vector<double> changes;
+  double before = contact.from, left_before = 0;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double here = at(contact, static_cast<double>(i) / kSamples), left_here = left(here);
+    if (std::abs(left_here) <= margin) continue;
+    if (left_here * left_before < 0) {
+      SignChange change{before, here};
+      if (left_before > 0) std::swap(change.below, change.above);
+      const SignChange found = narrowed(left, change, std::min(left_before, left_here),
+                                        std::max(left_before, left_here), kPlace * length(contact));
+      changes.push_back(0.5 * (found.below + found.above));
+    }
+    before = here;
+    left_before = left_here;
+  }
+  return changes;
+}
+
+// The common points. A contact too long for a point is what changes sides in it, where anything
+// does: a contact of high order may hold several crossings.
+std::vector<CurvePoint> points_of(const PlanarCurve& a, const PlanarCurve& b,
+                                  const CurveIntersection& found, double tolerance) {
+  std::vector<CurvePoint> points = found.points;
+  const double longest = curve_touch_length(tolerance, std::min(size(box_of(a)), size(box_of(b))));
+  for (const CurvePlace& place : found.places) {
+    if (place.kind != PlaceKind::Touch && place.kind != PlaceKind::Tangential) continue;
+    if (!(chord_length(a, place.a) > longest)) continue;
+    const std::vector<double> changes =
+        side_changes(a, b, place.a, found.certificate.rounding_bound);
+    if (changes.empty()) continue;
+    std::erase_if(points, [&](const CurvePoint& point) {
+      return !point.proven && place.a.from <= point.a && point.a <= place.a.to;
+    });
+    for (const double at : changes) {
+      const Vec2 here = point_at(a, at);
+      if (std::ranges::none_of(points, [&](const CurvePoint& point) {
+            return distance(point_at(a, point.a), here) <= tolerance;
+          }))
+        points.push_back(
+            {{here[0], here[1], 0}, at, side_foot(a, b, at).at, false, false, {at, at}, {}});
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
 PlanarCrossings crossings(const PlanarCurve& a, const PlanarCurve& b, double tolerance,
@@ -90,7 +159,8 @@ PlanarCrossings crossings(const PlanarCurve& a, const PlanarCurve& b, double tol
     result.points.push_back(
         {on_a, moved_to_end(b, at_b, tolerance), point_at(a, on_a), tangential});
   };
-  for (const CurvePoint& point : found.points) add(point.a, point.b, point.tangential);
+  for (const CurvePoint& point : points_of(a, b, found, tolerance))
+    add(point.a, point.b, point.tangential);
   for (const CurveOverlap& run : found.overlaps) {
     result.overlaps.push_back({run.a, run.b});
     add(run.a.from, run.b.from, false);

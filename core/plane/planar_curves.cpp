@@ -193,6 +193,12 @@ PlanarBezier bezier_piece(const PlanarBezier& curve, const Interval& local) {
   return piece;
 }
 
+double chord_length(const PlanarCurve& curve, const Interval& piece) {
+  const Vec2 middle = point_at(curve, at(piece, 0.5));
+  return distance(point_at(curve, piece.from), middle) +
+         distance(middle, point_at(curve, piece.to));
+}
+
 std::vector<PlanarBezier> bezier_pieces(const PlanarCurve& curve, const Interval& range) {
   const double low = std::min(range.from, range.to);
   const double high = std::max(range.from, range.to);

@@ -64,6 +64,9 @@ PlanarJet jet_at(const PlanarBezier& curve, double t);
 PlanarJet jet_at(const PlanarCurve& curve, double parameter);
 Vec2 point_at(const PlanarCurve& curve, double parameter);
 
+/// How long a piece is, by the chords of its halves.
+double chord_length(const PlanarCurve& curve, const Interval& piece);
+
 /// The piece between two parameters as Bezier curves, in order; from > to runs backwards. Pieces
 /// of spans that are no longer than rounding are left out; none for an empty range.
 std::vector<PlanarBezier> bezier_pieces(const PlanarCurve& curve, const Interval& range);

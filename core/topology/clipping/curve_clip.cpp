@@ -73,9 +73,7 @@ std::vector<char> along_wires(const FaceTrims& trims, const PlanarCurve& curve,
       const Interval piece{at[next], at[next + 1]};
       const auto kept = kept_tolerance(trims, curve, piece);
       if (!kept) break;
-      const Vec2 middle = point_at(curve, 0.5 * (piece.from + piece.to));
-      length += distance(point_at(curve, piece.from), middle) +
-                distance(middle, point_at(curve, piece.to));
+      length += chord_length(curve, piece);
       tolerance = std::max(tolerance, *kept);
     }
     const bool is_long = length > wire_touch_length(trims, tolerance);
@@ -169,10 +167,7 @@ PartSide side_of_poles(const FaceTrims& trims, const Spline2& chart, double tole
 void shrink_touches(const FaceTrims& trims, const PlanarCurve& curve,
                     std::vector<Interval>& inside) {
   for (Interval& part : inside) {
-    const Vec2 middle = point_at(curve, at(part, 0.5));
-    if (distance(point_at(curve, part.from), middle) + distance(middle, point_at(curve, part.to)) >
-        wire_touch_length(trims, kOnWire))
-      continue;
+    if (chord_length(curve, part) > wire_touch_length(trims, kOnWire)) continue;
     const bool touches = [&] {
       for (const double t : {0.5, 0.25, 0.75})
         if (coedge_at(trims, point_at(curve, at(part, t)), Wires::AsTheyAre) == nullptr)

@@ -49,9 +49,7 @@ std::optional<double> at_corner(const FaceTrims& trims, const PlanarCurve& curve
 std::optional<double> one_touch_at(const FaceTrims& trims, const PlanarCurve& curve,
                                    double tolerance, const TrimMeeting& a, const TrimMeeting& b) {
   const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
-  const Vec2 middle = point_at(curve, 0.5 * (a.at + b.at));
-  const double length =
-      distance(point_at(curve, a.at), middle) + distance(middle, point_at(curve, b.at));
+  const double length = chord_length(curve, {a.at, b.at});
   if (length <= tolerance || length > wire_touch_length(trims, tolerance)) return {};
   const bool keeps = std::all_of(kBetween.begin(), kBetween.end(), [&](double t) {
     const Vec2 point = point_at(curve, at(Interval{a.at, b.at}, t));
@@ -64,11 +62,6 @@ std::optional<double> one_touch_at(const FaceTrims& trims, const PlanarCurve& cu
            : b.at == curve.domain().to ? b.at
                                        : 0.5 * (a.at + b.at);
   return at_corner(trims, curve, tolerance, a, b);
-}
-
-double chord_length(const PlanarCurve& curve, const Interval& part) {
-  const Vec2 middle = point_at(curve, at(part, 0.5));
-  return distance(point_at(curve, part.from), middle) + distance(middle, point_at(curve, part.to));
 }
 
 // Whether a curve ends there, but for the tolerance.

@@ -120,6 +120,25 @@ TEST(PlanarCrossings, TouchOfParabolaAndItsTangentIsReportedAsTangential) {
   EXPECT_TRUE(found.overlaps.empty());
 }
 
+// y = x^4 - s^4 keeps within the tolerance of the x-axis between its two crossings with it.
+TEST(PlanarCrossings, ContactOfTheFourthOrderIsBothCrossingsInIt) {
+  const double s = 0.0062, below = std::pow(s, 4);
+  ASSERT_LT(below, kTolerance);
+  PlanarCurve quartic{{{{{}}, {-1, 1}, ParameterLaw::Linear}}};
+  for (int k = 0; k <= 4; ++k)
+    quartic.spans[0].curve.points.push_back({-1 + 0.5 * k, (k % 2 == 0 ? 1 : -1) - below, 1});
+  const PlanarCurve axis = planar_line({-1, 0}, {1, 0}, {-1, 1});
+  for (const bool exchanged : {false, true}) {
+    const auto found =
+        exchanged ? crossings(axis, quartic, kTolerance) : crossings(quartic, axis, kTolerance);
+    EXPECT_TRUE(found.overlaps.empty());
+    ASSERT_EQ(found.points.size(), 2u);
+    EXPECT_NEAR(found.points[0].a, -s, 1e-7);
+    EXPECT_NEAR(found.points[0].b, -s, 1e-7);
+    EXPECT_NEAR(found.points[1].a, s, 1e-7);
+  }
+}
+
 TEST(PlanarCrossings, NearTouchAboveTheToleranceIsNoContact) {
   const auto found =
       crossings(parabola(), planar_line({-1, -3e-7}, {1, -3e-7}, {0, 1}), kTolerance);
