@@ -25,6 +25,7 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/hulls.h"
+#include "adapters/occt/convert/kept_forms.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection.h"
@@ -35,9 +36,6 @@
 namespace blossom::occt {
 namespace {
 
-// Forms that have to be approximated are this near to what they stand for where that is possible,
-// so that bounds tell more than what is within the usual tolerance of each other.
-constexpr double kFormTolerance = 2e-8;
 // A crossing is looked for where faces are within this many tolerances of a point.
 constexpr double kNearCrossing = 4;
 
@@ -120,12 +118,12 @@ struct MeasuredEdge {
 
 // Parts of the set are the faces, then the edges.
 struct MeasuredShape::Impl {
-  explicit Impl(const TopoDS_Shape& shape)
+  Impl(const TopoDS_Shape& shape, KeptForms* forms)
       : whole(shape),
         shapes(shape),
         faces(shapes.faces().size()),
         converted(shapes.faces().size()) {
-    OperandParts parts = with_hulls();
+    OperandParts parts = with_hulls(forms);
     parts.make = [this](int part) { return make(part); };
     parts.trims = [this](int face, const Vec2& low, const Vec2& high) {
       return guarded("following the trims of a face", [&] { return side(face, low, high); });
@@ -143,14 +141,14 @@ struct MeasuredShape::Impl {
         move(place.Location().Transformation() *
              original->whole.Location().Transformation().Inverted()),
         error(original->error) {
-    OperandParts parts = with_hulls();
+    OperandParts parts = with_hulls(nullptr);
     converted.clear();  // what was made for hulls is the original's to keep
     parts.make = [this](int part) { return moved(original->prepared->part(part)); };
     parts.trims = original->prepared->set().trims;
     prepared.emplace(std::move(parts));
   }
 
-  OperandParts with_hulls() {
+  OperandParts with_hulls(KeptForms* forms) {
     OperandParts parts;
     for (const PlacedShape& vertex : shapes.vertices()) {
       gp_XYZ p = BRep_Tool::Pnt(TopoDS::Vertex(vertex.shape)).XYZ();
@@ -158,7 +156,7 @@ struct MeasuredShape::Impl {
       parts.points.push_back({p.X(), p.Y(), p.Z()});
     }
     for (int i = 0; i < static_cast<int>(faces.size()); ++i) {
-      parts.hulls.push_back(face_hull(i));
+      parts.hulls.push_back(face_hull(i, forms));
       const PlacedShape& face = shapes.faces()[static_cast<std::size_t>(i)];
       parts.hulls.back().border_gap = largest_edge_tolerance(face.shape);
       parts.hulls.back().border_points =
@@ -207,13 +205,13 @@ struct MeasuredShape::Impl {
 
   // Of control points where they do. Other forms are converted at once, so that the error of what
   // is only approximated does not depend on the questions.
-  HullBound face_hull(int i) {
+  HullBound face_hull(int i, KeptForms* forms) {
     const PlacedShape& part = shapes.faces()[static_cast<std::size_t>(i)];
     std::vector<Vec3> hull;
     if (add_hull(TopoDS::Face(part.shape), hull) && has_end(hull))
       return placed_hull(std::move(hull), shapes.place_of(part));
-    BezierSurface& surface =
-        converted[static_cast<std::size_t>(i)].emplace(bezier_surface(face(i), kFormTolerance));
+    BezierSurface& surface = converted[static_cast<std::size_t>(i)].emplace(
+        forms != nullptr ? forms->take(face(i)) : bezier_surface(face(i), kFineForm));
     error = std::max(error, surface.error);
     hull.clear();
     for (const RationalBezierPatch& patch : surface.patches.values())
@@ -226,7 +224,7 @@ struct MeasuredShape::Impl {
     std::vector<Vec3> hull;
     if (add_hull(TopoDS::Edge(part.shape), hull) && has_end(hull))
       return placed_hull(std::move(hull), shapes.place_of(part));
-    const CurveSpans found = bezier_spans(edge(of), kFormTolerance);
+    const CurveSpans found = bezier_spans(edge(of), kFineForm);
     error = std::max(error, found.error);
     hull.clear();
     for (const CurveSpan& span : found.spans)
@@ -240,14 +238,13 @@ struct MeasuredShape::Impl {
       DistanceOperand set;
       if (is_face(part)) {
         auto& known = converted[static_cast<std::size_t>(part)];
-        set.surfaces.push_back(known ? std::move(*known)
-                                     : bezier_surface(face(part), kFormTolerance));
+        set.surfaces.push_back(known ? std::move(*known) : bezier_surface(face(part), kFineForm));
         known.reset();
         return set;
       }
       MeasuredEdge& of = edge_of_part(part);
       std::vector<EdgeSpan> spans;
-      for (CurveSpan& span : bezier_spans(edge(of), kFormTolerance).spans) {
+      for (CurveSpan& span : bezier_spans(edge(of), kFineForm).spans) {
         // Between spans the curve may have a kink, so ends of spans count as points.
         if (!spans.empty()) set.points.push_back(projected(span.curve.points.front()));
         set.curves.push_back(std::move(span.curve));
@@ -298,10 +295,10 @@ struct MeasuredShape::Impl {
   double error = 0;
 };
 
-MeasuredShape::MeasuredShape(const TopoDS_Shape& shape)
+MeasuredShape::MeasuredShape(const TopoDS_Shape& shape, KeptForms* forms)
     : impl_(guarded("preparing a shape to measure", [&] {
         if (shape.IsNull()) throw BadModel("there is no shape to measure");
-        return std::make_shared<Impl>(shape);
+        return std::make_shared<Impl>(shape, forms);
       })) {}
 MeasuredShape::MeasuredShape(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
 MeasuredShape MeasuredShape::moved_to(const TopoDS_Shape& place) const {

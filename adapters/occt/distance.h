@@ -15,6 +15,8 @@
 
 namespace blossom::occt {
 
+class KeptForms;
+
 /// Where a distance is taken.
 struct ShapePoint {
   TopoDS_Shape on;  ///< a face, edge or vertex; null of a point that belongs to no shape
@@ -40,7 +42,8 @@ class MeasuredShape {
   /// throws   BadModel if there is nothing in the shape, an edge has no curve in space, or a face
   ///          cannot be used; Failure where Open CASCADE fails at one. Those of a conversion or of
   ///          trims may come with the first question near it, and with every later one
-  explicit MeasuredShape(const TopoDS_Shape& shape);
+  /// forms    taken from there where they have to be approximated
+  explicit MeasuredShape(const TopoDS_Shape& shape, KeptForms* forms = nullptr);
   /// The same shape at another place, turned but not scaled: what is converted for one of the two
   /// serves both.
   /// place     a partner of the shape that this one was made from

@@ -18,6 +18,8 @@
 
 namespace blossom::occt {
 
+class KeptForms;
+
 /// Something that is wrong.
 struct Problem {
   std::string what;             ///< the same words for all of a kind
@@ -39,10 +41,11 @@ using CheckRunner = std::function<bool(const std::string& what, const std::funct
 inline constexpr const char* kUnchecked = "Open CASCADE's check of it crashes or never ends";
 
 /// What a face's geometry and Open CASCADE's BRepCheck say against it, in words; none if valid.
-std::vector<std::string> face_problems(const TopoDS_Face& face);
+/// forms   where the form that the face was converted to is kept for later
+std::vector<std::string> face_problems(const TopoDS_Face& face, KeptForms* forms = nullptr);
 
 /// Of these the one that BRepCheck does not see: that its surface cannot be converted.
-std::vector<std::string> conversion_problems(const TopoDS_Face& face);
+std::vector<std::string> conversion_problems(const TopoDS_Face& face, KeptForms* forms = nullptr);
 
 /// The same in one line; empty if the face is valid.
 std::string face_fault(const TopoDS_Face& face);
@@ -51,7 +54,8 @@ std::string face_fault(const TopoDS_Face& face);
 /// one check unless the runner leaves that out.
 std::vector<std::vector<std::string>> face_problems(const std::vector<TopoDS_Face>& faces,
                                                     const std::vector<int>& numbers,
-                                                    const CheckRunner& run);
+                                                    const CheckRunner& run,
+                                                    KeptForms* forms = nullptr);
 
 /// Where the wires of a face are degenerate (they enclose nothing but what their edges' tolerances
 /// cover) or meet themselves or each other but in a vertex of both edges.

@@ -150,10 +150,11 @@ Answer info(const SharedModel& model, bool edges, bool faces, const Control& con
   return told(interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
     const reports::Input& input = model->input();
-    const auto problems = occt::face_problems(input.faces, input.numbers, checks_of(watch));
+    occt::KeptForms forms;
+    const auto problems = occt::face_problems(input.faces, input.numbers, checks_of(watch), &forms);
     const reports::ModelFacts facts = reports::model_facts(
         input, problems, faces ? reports::FaceDetail::Full : reports::FaceDetail::Brief,
-        [&watch] { return watch.ended(); });
+        [&watch] { return watch.ended(); }, &forms);
     reports::Json report = reports::info_report(input, facts);
     if (edges) {
       const std::set<int> own = reports::edge_numbers(input);

@@ -201,16 +201,18 @@ class Outermost {
 
 }  // namespace
 
-LeastBox least_box(const TopoDS_Shape& shape, const std::function<bool()>& cancelled) {
+LeastBox least_box(const TopoDS_Shape& shape, const std::function<bool()>& cancelled,
+                   KeptForms* forms) {
   const Outermost outermost(shape, size_of(shape));
   LeastBox least{outermost.points(), outermost.slack()};
   if (outermost.parts().NbChildren() == 0) return least;
-  const MeasuredShape parts(outermost.parts());
+  const MeasuredShape parts(outermost.parts(), forms);
+  const double resolution = std::max(outermost.resolution(), parts.error());
   double gap = 0;
   const auto farthest = [&](int axis, bool backwards, double known) {
-    const FarthestResult found = farthest_along(
-        parts.set(), axis, backwards, known,
-        {.budget = kMaxCells, .cancelled = cancelled, .resolution = outermost.resolution()});
+    const FarthestResult found =
+        farthest_along(parts.set(), axis, backwards, known,
+                       {.budget = kMaxCells, .cancelled = cancelled, .resolution = resolution});
     gap = std::max(gap, found.upper - found.lower);
     return found.lower;
   };

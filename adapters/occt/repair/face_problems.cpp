@@ -10,6 +10,7 @@
 
 #include "adapters/occt/base/check_words.h"
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/kept_forms.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/solids/validity/faces_to_check.h"
 #include "adapters/occt/solids/validity/polygon_faces.h"
@@ -25,8 +26,8 @@ constexpr std::size_t kFewFaces = 16;
 
 // What is known of a face before Open CASCADE's checker sees it: that it cannot be converted, or
 // that it is sound. The checker does not look for numbers that are none, and can loop on them.
-std::optional<std::vector<std::string>> known_of(const TopoDS_Face& face) {
-  std::vector<std::string> problems = conversion_problems(face);
+std::optional<std::vector<std::string>> known_of(const TopoDS_Face& face, KeptForms* forms) {
+  std::vector<std::string> problems = conversion_problems(face, forms);
   if (problems.empty() && !is_sound_polygon(face)) return std::nullopt;
   return problems;
 }
@@ -56,9 +57,10 @@ std::vector<std::string> checked(const TopoDS_Face& face) try {
 }
 
 // Checks only read what faces share; making copies writes to vertices, so one thread does it.
-std::vector<std::vector<std::string>> found_in_threads(const std::vector<TopoDS_Face>& faces) {
+std::vector<std::vector<std::string>> found_in_threads(const std::vector<TopoDS_Face>& faces,
+                                                       KeptForms* forms) {
   std::vector<std::optional<std::vector<std::string>>> known(faces.size());
-  parallel_for(faces.size(), 1, [&](std::size_t i) { known[i] = known_of(faces[i]); });
+  parallel_for(faces.size(), 1, [&](std::size_t i) { known[i] = known_of(faces[i], forms); });
   FacesToCheck copies;
   std::vector<TopoDS_Face> copy(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
@@ -71,15 +73,20 @@ std::vector<std::vector<std::string>> found_in_threads(const std::vector<TopoDS_
 
 }  // namespace
 
-std::vector<std::string> conversion_problems(const TopoDS_Face& face) try {
-  guarded("converting the face", [&] { bezier_surface(face); });
+std::vector<std::string> conversion_problems(const TopoDS_Face& face, KeptForms* forms) try {
+  guarded("converting the face", [&] {
+    if (forms != nullptr)
+      forms->make(face);
+    else
+      bezier_surface(face);
+  });
   return {};
 } catch (const std::runtime_error& error) {
   return {error.what()};
 }
 
-std::vector<std::string> face_problems(const TopoDS_Face& face) {
-  if (const auto known = known_of(face)) return *known;
+std::vector<std::string> face_problems(const TopoDS_Face& face, KeptForms* forms) {
+  if (const auto known = known_of(face, forms)) return *known;
   return checked(FacesToCheck().add(face));
 }
 
@@ -92,13 +99,14 @@ std::string face_fault(const TopoDS_Face& face) {
 
 std::vector<std::vector<std::string>> face_problems(const std::vector<TopoDS_Face>& faces,
                                                     const std::vector<int>& numbers,
-                                                    const CheckRunner& run) {
+                                                    const CheckRunner& run, KeptForms* forms) {
   std::vector<std::vector<std::string>> found(faces.size());
-  if (faces.size() > kFewFaces && run("checking faces", [&] { found = found_in_threads(faces); }))
+  if (faces.size() > kFewFaces &&
+      run("checking faces", [&] { found = found_in_threads(faces, forms); }))
     return found;
   for (std::size_t i = 0; i < faces.size(); ++i)
     if (!run("checking face " + std::to_string(numbers[i]),
-             [&] { found[i] = face_problems(faces[i]); }))
+             [&] { found[i] = face_problems(faces[i], forms); }))
       found[i] = {kUnchecked};
   return found;
 }

@@ -61,9 +61,18 @@ constexpr int kPatchSamples = kNodeDegree + 3;
 
 bool is_node(int sample) { return sample >= kNodeDegree; }
 
-double sample(int k) {
-  return is_node(k) ? node((k - kNodeDegree) * kNodeDegree / 2) : between_nodes(k);
+const std::array<double, kPatchSamples>& sample_places() {
+  static const std::array<double, kPatchSamples> all = [] {
+    std::array<double, kPatchSamples> places{};
+    for (int k = 0; k < kPatchSamples; ++k)
+      places[static_cast<std::size_t>(k)] =
+          is_node(k) ? node((k - kNodeDegree) * kNodeDegree / 2) : between_nodes(k);
+    return places;
+  }();
+  return all;
 }
+
+double sample(int k) { return sample_places()[static_cast<std::size_t>(k)]; }
 
 /// Values of the Bernstein polynomials in [0, 1].
 std::array<long double, kNodeDegree + 1> bernstein(long double t) {

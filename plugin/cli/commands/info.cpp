@@ -247,11 +247,12 @@ int run(const InfoCommand& options) {
   const Input input =
       read_input(first, Faces::Optional, reports::Repairing::None,
                  options.edges ? reports::LooseFaces::Sewn : reports::LooseFaces::Kept);
+  occt::KeptForms forms;
   const auto problems =
-      occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()));
+      occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()), &forms);
   const ModelFacts facts = reports::model_facts(
-      input, problems, listed ? reports::FaceDetail::Full : reports::FaceDetail::Brief,
-      interrupted);
+      input, problems, listed ? reports::FaceDetail::Full : reports::FaceDetail::Brief, interrupted,
+      &forms);
   stop_if_interrupted();
   const std::vector<PictureFile> pictures =
       picture_files(options.common, [&] { return info_picture(input, facts); });

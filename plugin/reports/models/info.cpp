@@ -138,8 +138,9 @@ FaceFacts face_facts(const TopoDS_Face& face, int number, std::vector<std::strin
 
 // None of what has no vertex, or no end.
 std::optional<occt::LeastBox> box_of(const TopoDS_Shape& shape,
-                                     const std::function<bool()>& cancelled) try {
-  return occt::least_box(shape, cancelled);
+                                     const std::function<bool()>& cancelled,
+                                     occt::KeptForms* forms) try {
+  return occt::least_box(shape, cancelled, forms);
 } catch (const occt::BadModel&) {
   return std::nullopt;
 }
@@ -185,7 +186,8 @@ TopoDS_Shape subject_of(const Input& input) {
 }
 
 ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::string>>& problems,
-                       FaceDetail detail, const std::function<bool()>& cancelled) {
+                       FaceDetail detail, const std::function<bool()>& cancelled,
+                       occt::KeptForms* forms) {
   ModelFacts facts;
   std::vector<std::optional<occt::FaceColour>> colours;
   if (detail == FaceDetail::Full) colours = occt::face_colours(input.model);
@@ -206,7 +208,7 @@ ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::st
   facts.least_tolerance = tolerances.Tolerance(subject, -1);
   facts.largest_tolerance = tolerances.Tolerance(subject, 1);
   // Numbers that are none would go into the box, too.
-  if (facts.valid) facts.box = box_of(subject, cancelled);
+  if (facts.valid) facts.box = box_of(subject, cancelled, forms);
   return facts;
 }
 

@@ -12,6 +12,7 @@
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/convert/kept_forms.h"
 #include "adapters/occt/face_colours.h"
 #include "adapters/occt/queries/least_box.h"
 #include "core/math/interval.h"
@@ -67,8 +68,10 @@ enum class FaceDetail { Brief, Full };
 
 /// problems    that are known of each face
 /// cancelled   asked while faces are measured and the box is made, which then are left
+/// forms       of faces; those that are taken from there are gone
 ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::string>>& problems,
-                       FaceDetail detail, const std::function<bool()>& cancelled);
+                       FaceDetail detail, const std::function<bool()>& cancelled,
+                       occt::KeptForms* forms = nullptr);
 
 /// What is asked about: the whole model, or what the user names of it.
 TopoDS_Shape subject_of(const Input& input);

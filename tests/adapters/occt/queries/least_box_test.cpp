@@ -18,6 +18,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -26,6 +27,8 @@
 #include <gp_Elips.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/kept_forms.h"
+#include "adapters/occt/soundness.h"
 
 namespace blossom::occt {
 namespace {
@@ -102,6 +105,26 @@ TEST(LeastBox, SearchesTheSidesThatControlPointsPass) {
   }();
   const TopoDS_Shape face = BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Shape();
   expect_box(least_box(face.Moved(lift)), {1, 2, 2}, {3, 4, 3});
+}
+
+// A dome of which the offset has no exact form.
+TEST(LeastBox, TakesTheFormThatTheCheckOfAFaceMade) {
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) poles(i + 1, j + 1) = gp_Pnt(i, j, i == 1 && j == 1 ? 4 : 0);
+  const Handle(Geom_OffsetSurface) offset =
+      new Geom_OffsetSurface(new Geom_BezierSurface(poles), 0.1);
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(offset, 1e-7);
+  const LeastBox alone = least_box(face);
+  EXPECT_NEAR(alone.box.high[2], 1.1, kPrecision);
+  KeptForms forms;
+  EXPECT_TRUE(face_problems(face, &forms).empty());
+  // What is kept is what the face was, which shows that it is not converted again.
+  offset->SetOffsetValue(0.2);
+  const LeastBox taken = least_box(face, {}, &forms);
+  EXPECT_EQ(taken.box.high[2], alone.box.high[2]);
+  EXPECT_EQ(taken.precision, alone.precision);
+  EXPECT_NEAR(least_box(face, {}, &forms).box.high[2], 1.2, kPrecision);
 }
 
 // A cylinder's rims go farthest, a half of a cone's where it is cut.
