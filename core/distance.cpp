@@ -39,6 +39,7 @@ struct Pair {
   double lower = 0;
   OperandPlace a, b;
   int depth = kWholeParts;  // halvings of cells
+  bool left_out = false;    // trims left out the nearest points of these cells, or of larger ones
 
   // The nearest on top. Pairs that meet are halved a few times each in turn, one after the other,
   // so that a point they have in common is found soon, and no place without one holds up the rest.
@@ -226,9 +227,11 @@ class Search {
           reach_, std::sqrt((1 + kRoundingOfSquare) * farthest(widened(a.box, rounding_), b.box)));
   }
 
-  void examine(const Pair& pair) {
+  void examine(Pair pair) {
     // Trims take long to be made, so they are asked last.
-    if (is_proven_convex(pair) || a_.is_outside(pair.a) || b_.is_outside(pair.b)) return;
+    if (is_proven_convex(pair) || a_.is_outside(pair.a, pair.left_out) ||
+        b_.is_outside(pair.b, pair.left_out))
+      return;
     ItemTree& tree_a = a_.tree(pair.a);
     ItemTree& tree_b = b_.tree(pair.b);
     const Cell &cell_a = tree_a.cells[pair.a.cell], &cell_b = tree_b.cells[pair.b.cell];
@@ -319,12 +322,13 @@ class Search {
   bool is_promising(const Pair& pair, const Cell& a, const Cell& b) const {
     const int halvings = options_.enough < 0 ? kHalvingsPerStart : kHalvingsPerTurn;
     return pair.depth % halvings == halvings - 1 ||
-           distance(0.5 * (a.low + a.high), 0.5 * (b.low + b.high)) < result_.upper - gap();
+           (!pair.left_out &&
+            distance(0.5 * (a.low + a.high), 0.5 * (b.low + b.high)) < result_.upper - gap());
   }
 
   // Whether the least distance of a pair is known and settles it. On the way Newton's method looks
   // for a nearer one.
-  bool is_proven_convex(const Pair& pair) {
+  bool is_proven_convex(Pair& pair) {
     const Cell& a = a_.tree(pair.a).cells[pair.a.cell];
     const Cell& b = b_.tree(pair.b).cells[pair.b.cell];
     const DistanceItem &item_a = a_.item(pair.a), &item_b = b_.item(pair.b);
@@ -337,9 +341,10 @@ class Search {
       at_foot = {found.a, found.b};
       // Where the trims leave the foot out, what they leave of the cells may be nearer, too.
       if (!take(pair, found))
-        take(pair, near_pair({form_a.patch, form_a.dimension, a.u, a.v},
-                             {form_b.patch, form_b.dimension, b.u, b.v},
-                             {at(a.u, 0.5), at(a.v, 0.5)}, {at(b.u, 0.5), at(b.v, 0.5)}));
+        pair.left_out =
+            !take(pair, near_pair({form_a.patch, form_a.dimension, a.u, a.v},
+                                  {form_b.patch, form_b.dimension, b.u, b.v},
+                                  {at(a.u, 0.5), at(a.v, 0.5)}, {at(b.u, 0.5), at(b.v, 0.5)}));
     } else if (best_a_ != &item_a || best_b_ != &item_b) {
       at_foot = {Vec2{at(a.u, 0.5), at(a.v, 0.5)}, Vec2{at(b.u, 0.5), at(b.v, 0.5)}};
     }
@@ -351,10 +356,14 @@ class Search {
     return true;
   }
 
-  // Keeps a pair of points if it is the nearest one so far; false if the trims leave it out.
+  // Keeps a pair of points if it is the nearest one so far by more than roundings: at the same
+  // distance all over there is ever a nearer one. False if the trims leave it out.
   bool take(const Pair& pair, const NearPair& found) {
     const double far = distance(found.point_a, found.point_b);
-    if (!(far < result_.upper)) return true;
+    if (!(far < result_.upper - rounding_)) {
+      if (far < result_.upper + gap() && centres_.empty()) add_centres(pair, found);
+      return true;
+    }
     if (a_.is_outside(pair.a, found.a) || b_.is_outside(pair.b, found.b)) return false;
     result_.upper = far;
     best_a_ = &a_.item(pair.a);
@@ -362,16 +371,22 @@ class Search {
     best_at_ = {found.a, found.b};
     direction_ = unit(found.point_a - found.point_b);
     centres_.clear();
-    add_centre(*best_a_, found.a);
-    add_centre(*best_b_, found.b);
+    add_centres(pair, found);
     result_.a = a_.end(pair.a, found.a, found.point_a);
     result_.b = b_.end(pair.b, found.b, found.point_b);
     return true;
   }
 
-  void add_centre(const DistanceItem& item, const Vec2& at) {
+  // Borders may be as near as the surfaces that have centres.
+  void add_centres(const Pair& pair, const NearPair& found) {
+    const Vec3 across = unit(found.point_a - found.point_b);
+    add_centre(a_.item(pair.a), found.a, across);
+    add_centre(b_.item(pair.b), found.b, across);
+  }
+
+  void add_centre(const DistanceItem& item, const Vec2& at, const Vec3& across) {
     if (item.dimension() < 2) return;
-    auto centre = centre_of_curvature(jet_at(item.patch, at[0], at[1], 2), direction_);
+    auto centre = centre_of_curvature(jet_at(item.patch, at[0], at[1], 2), across);
     if (!centre) centre = centre_circle(item.patch, at);
     if (centre) centres_.push_back(*centre);
   }

@@ -37,11 +37,11 @@ ItemTree& OperandTrees::tree(const OperandPlace& place) {
   return *made;
 }
 
-bool OperandTrees::is_outside(const OperandPlace& place) {
+bool OperandTrees::is_outside(const OperandPlace& place, bool always) {
   ItemTree& of = tree(place);
   auto& side = of.sides[static_cast<std::size_t>(place.cell)];
   const Cell& cell = of.cells[place.cell];
-  if (cell.depth % kHalvingsPerTrim != 0) return false;
+  if (!always && cell.depth % kHalvingsPerTrim != 0) return false;
   if (!side)
     side = parts.side(place.part, item(place), {cell.u.from, cell.v.from}, {cell.u.to, cell.v.to});
   return side == TrimSide::Outside;

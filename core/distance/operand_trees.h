@@ -53,8 +53,9 @@ class OperandTrees {
 
   ItemTree& tree(const OperandPlace& place);
 
-  /// Whether a cell lies outside of the trims; asked at every so many halvings, and false else.
-  bool is_outside(const OperandPlace& place);
+  /// Whether a cell lies outside of the trims.
+  /// always   else it is asked at every so many halvings, and false at others
+  bool is_outside(const OperandPlace& place, bool always);
   /// at   local parameters of the item
   bool is_outside(const OperandPlace& place, const Vec2& at) const;
 

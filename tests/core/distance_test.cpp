@@ -242,57 +242,6 @@ TEST(LeastDistance, KeepsItsBoundsWhenTheTimeIsSpentOrItIsCancelled) {
   expect_stopped({.cancelled = [] { return true; }});
 }
 
-TEST(LeastDistance, OfBallsAboutOneCentreIsKnownAtOnce) {
-  const DistanceOperand inner = measured(testing::unit_sphere());
-  const DistanceOperand outer = measured(testing::revolved_circle(0, 2, -std::numbers::pi / 2, 2));
-  for (const bool turned : {false, true}) {
-    const DistanceResult found =
-        turned ? least_distance(outer, inner) : least_distance(inner, outer);
-    expect_distance(found, 1);
-    EXPECT_LE(found.pairs, 10'000);
-  }
-}
-
-// About the z axis, over a range of z.
-BezierSurface tube(double radius, double low, double high) {
-  BezierSurface surface = testing::revolved_circle(0, 1, -std::numbers::pi / 2, 2);
-  surface.v_knots = {0, 1};
-  surface.v_law = ParameterLaw::Linear;
-  const Grid<RationalBezierPatch> quarters = surface.patches;
-  surface.patches = Grid<RationalBezierPatch>(quarters.rows(), 1);
-  for (int i = 0; i < quarters.rows(); ++i) {
-    const Grid<Vec4>& ball = quarters(i, 0).points;
-    Grid<Vec4> net(ball.rows(), 2);
-    for (int k = 0; k < ball.rows(); ++k)
-      for (int end = 0; end < 2; ++end) {
-        const Vec4& rim = ball(k, ball.columns() - 1);  // the equator
-        net(k, end) = {radius * rim[0], radius * rim[1], rim[3] * (end == 0 ? low : high), rim[3]};
-      }
-    surface.patches(i, 0).points = net;
-  }
-  return surface;
-}
-
-TEST(LeastDistance, OfTubesAboutOneAxisIsKnownAtOnce) {
-  const DistanceOperand shaft = measured(tube(1, -1, 2)), bore = measured(tube(1.25, 0, 3));
-  const DistanceResult found = least_distance(shaft, bore);
-  expect_distance(found, 0.25);
-  EXPECT_LE(found.pairs, 10'000);
-  const DistanceResult ball = least_distance(measured(testing::unit_sphere()), bore);
-  expect_distance(ball, 0.25);
-  EXPECT_LE(ball.pairs, 20'000);
-}
-
-TEST(LeastDistance, OfTubesAboutOneCircleIsKnownAtOnce) {
-  const DistanceOperand core = measured(testing::torus(2, 0.25)),
-                        pipe = measured(testing::torus(2, 0.5));
-  for (const bool turned : {false, true}) {
-    const DistanceResult found = turned ? least_distance(pipe, core) : least_distance(core, pipe);
-    expect_distance(found, 0.25);
-    EXPECT_LE(found.pairs, 20'000);
-  }
-}
-
 TEST(LeastDistance, EndsWhereTheSurfaceGoesOnAlmostAsNearBeyondItsTrims) {
   // About the origin, of a radius that grows with the cube of a parameter, by less than 1e-4. It is
   // trimmed a little behind the circle where that is stationary.
