@@ -315,17 +315,20 @@ class BodyRelations {
     const Relation by_points = relation_by(a, b, Relation::Touching);
     if (by_points == Relation::Crossing) return {i, j, by_points, Status::Complete};
     if (!a.is_solid && !b.is_solid) return {i, j, Relation::Touching, Status::Tolerance};
-    const std::optional<Status> split = split_along(i, j, a.sides, b.sides);
-    if (!split) return {i, j, by_points, Status::Tolerance};
-    return {i, j, relation_by(a, b, Relation::Touching), *split};
+    BodyPair pair{i, j, by_points, Status::Tolerance};
+    if (const std::optional<Status> split = split_along(pair, a.sides, b.sides)) {
+      pair.relation = relation_by(a, b, Relation::Touching);
+      pair.status = *split;
+    }
+    return pair;
   }
 
   // Nothing of what cannot be split.
-  std::optional<Status> split_along(std::size_t i, std::size_t j, Sides& a, Sides& b) try {
+  std::optional<Status> split_along(BodyPair& pair, Sides& a, Sides& b) try {
     return guarded("splitting bodies in contact", [&]() -> std::optional<Status> {
-      const Body &body_a = a_.bodies[i], &body_b = b_.bodies[j];
-      if (!body_a.is_solid()) return add_pieces(body_a, body_b, b_.asked[j], a);
-      if (!body_b.is_solid()) return add_pieces(body_b, body_a, a_.asked[i], b);
+      const Body &body_a = a_.bodies[pair.a], &body_b = b_.bodies[pair.b];
+      if (!body_a.is_solid()) return add_pieces(body_a, body_b, b_.asked[pair.b], a);
+      if (!body_b.is_solid()) return add_pieces(body_b, body_a, a_.asked[pair.a], b);
       const TrimTool solid_a = trim_tool(body_a.shape), solid_b = trim_tool(body_b.shape);
       const IntersectionOptions left = limit_.remaining();
       SolidDivisions divisions(solid_a, solid_b, 0, left);
@@ -333,6 +336,9 @@ class BodyRelations {
         if (!pieces->obstacles.empty()) continue;
         count_sides(pieces->a, a);
         count_sides(pieces->b, b);
+        const ShapeIntersection& faces = *divisions.first_look();
+        if (faces.tolerance == tolerance_)
+          pair.faces = std::make_shared<FacesMet>(solid_a.faces, solid_b.faces, faces);
         return pieces->status;
       }
       return std::nullopt;

@@ -11,6 +11,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/distance.h"
+#include "adapters/occt/intersection.h"
 #include "core/base/tolerances.h"
 
 namespace blossom::occt {
@@ -68,12 +69,21 @@ const char* to_string(Relation relation);
 /// Whether the relation says that there are common points, and not only within tolerance.
 bool has_common_points(Relation relation);
 
+/// Faces of two bodies, and what they have in common.
+struct FacesMet {
+  std::vector<TopoDS_Face> a, b;
+  ShapeIntersection found;
+};
+
 struct BodyPair {
   std::size_t a = 0, b = 0;  ///< places among the bodies
   Relation relation = Relation::Unknown;
   /// Complete: proven. Tolerance: right if what is within tolerance is one. Stopped: a limit was
   /// reached before it was known.
   Status status = Status::Complete;
+  /// Where solids in contact were split to tell: what their faces have in common, at the tolerance
+  /// asked for.
+  std::shared_ptr<const FacesMet> faces{};
 };
 
 struct ModelRelation {

@@ -232,18 +232,20 @@ class ClashSearch {
     if (limit_.is_reached())
       return {.a = a, .b = b, .status = Status::Stopped, .upper = kInfinity, .measured = false};
     Clash pair = with_distance(a, b, options_.clearance.value_or(kInfinity));
-    relate(pair);
     const bool solids = bodies(a).all().front().is_solid() && bodies(b).all().front().is_solid();
+    const auto faces = relate(pair, solids ? Crossings::ThroughBoth : Crossings::All);
     const bool crosses = pair.relation == Relation::Crossing;
     if (solids && crosses) find_common_body(pair);
-    if (pair.relation == Relation::Touching || (crosses && !solids)) find_contacts(pair);
+    if (pair.relation == Relation::Touching || (crosses && !solids))
+      find_contacts(faces ? *faces : searched(pair), pair);
     if (one_holds_the_other(pair.relation)) take_held_body(pair);
     return pair;
   } catch (const BadModel& error) {
     return not_measured(a, b, error.what());
   }
 
-  void relate(Clash& pair) {
+  // What the faces of both have in common, where that had to be known to tell.
+  std::shared_ptr<const FacesMet> relate(Clash& pair, Crossings crossings) {
     Bodies &a = bodies(pair.a), &b = bodies(pair.b);
     ShapeDistance distance{.lower = pair.lower,
                            .upper = pair.upper,
@@ -251,7 +253,7 @@ class ClashSearch {
                            .b = pair.near_b,
                            .status = pair.status};
     const ShapeMeeting met =
-        meeting_at(distance, a.boundary(), b.boundary(), tolerance_, distance_options());
+        meeting_at(distance, a.boundary(), b.boundary(), tolerance_, distance_options(), crossings);
     const ModelRelation found = relation_of(a, b, met, tolerance_, distance_options());
     pair.relation = found.relation;
     // What holds for any distance is not weakened by what is not known of it.
@@ -259,14 +261,19 @@ class ClashSearch {
     pair.status = by_distance ? weaker(pair.status, found.status) : found.status;
     if (found.relation == Relation::Unknown)
       pair.obstacles.emplace_back("it is not known how they lie to each other");
+    return found.pairs.size() == 1 ? found.pairs.front().faces : nullptr;
   }
 
-  void find_contacts(Clash& pair) {
-    const std::vector<TopoDS_Face> a = faces_of_part(parts_[pair.a]),
-                                   b = faces_of_part(parts_[pair.b]);
-    const ShapeIntersection met = intersect(a, b, limit_.remaining());
-    if (met.status == Status::Stopped) pair.status = Status::Stopped;  // there may be more of them
-    pair.contacts = contacts_of(met, a, b);
+  FacesMet searched(const Clash& pair) const {
+    FacesMet faces{faces_of_part(parts_[pair.a]), faces_of_part(parts_[pair.b]), {}};
+    faces.found = intersect(faces.a, faces.b, limit_.remaining());
+    return faces;
+  }
+
+  void find_contacts(const FacesMet& faces, Clash& pair) const {
+    if (faces.found.status == Status::Stopped)  // there may be more of them
+      pair.status = Status::Stopped;
+    pair.contacts = contacts_of(faces.found, faces.a, faces.b);
     if (pair.contacts.empty())  // within tolerance only
       pair.contacts.push_back({ContactKind::Point,
                                {},

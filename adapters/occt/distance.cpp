@@ -363,7 +363,7 @@ enum class Crossing { NotProven, InACurve, ThroughBoth };
 // How faces that are within tolerance of each other in a point are proven to cross: near it, else
 // anywhere.
 Crossing crossing_of(const MeasuredShape& a, const MeasuredShape& b, const ShapeDistance& found,
-                     double tolerance, const IntersectionOptions& options) {
+                     double tolerance, const IntersectionOptions& options, Crossings wanted) {
   const std::vector<TopoDS_Face> faces_a = a.faces(), faces_b = b.faces();
   const std::vector<int> of_a = faces_with(found.a.on, faces_a);
   const std::vector<int> of_b = faces_with(found.b.on, faces_b);
@@ -378,6 +378,7 @@ Crossing crossing_of(const MeasuredShape& a, const MeasuredShape& b, const Shape
     });
   };
   if (proven(tolerance)) return Crossing::ThroughBoth;
+  if (wanted == Crossings::ThroughBoth) return Crossing::NotProven;
   if (proven(0)) return Crossing::InACurve;
   const SharedLimit limit(options);
   const bool in_a_curve = any_pair([&](int i, int j) {
@@ -454,7 +455,7 @@ ShapeMeeting meeting(const MeasuredShape& a, const MeasuredShape& b, double tole
 }
 
 ShapeMeeting meeting_at(const ShapeDistance& found, const MeasuredShape& a, const MeasuredShape& b,
-                        double tolerance, const DistanceOptions& options) {
+                        double tolerance, const DistanceOptions& options, Crossings crossings) {
   ShapeMeeting result;
   result.a = found.a;
   result.b = found.b;
@@ -464,7 +465,7 @@ ShapeMeeting meeting_at(const ShapeDistance& found, const MeasuredShape& a, cons
   if (found.lower > 0) {
     result.answer = Meeting::No;
   } else if (found.upper <= tolerance) {
-    const Crossing crossing = crossing_of(a, b, found, tolerance, limits_of(options));
+    const Crossing crossing = crossing_of(a, b, found, tolerance, limits_of(options), crossings);
     result.answer = crossing == Crossing::NotProven ? Meeting::Within : Meeting::Yes;
     result.through = crossing == Crossing::ThroughBoth;
   }

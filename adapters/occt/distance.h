@@ -112,8 +112,15 @@ struct ShapeMeeting {
 ShapeMeeting meeting(const MeasuredShape& a, const MeasuredShape& b,
                      double tolerance = Tolerances{}.point, const DistanceOptions& options = {});
 
+/// Which crossings are looked for, of faces that are within tolerance of each other in a point.
+enum class Crossings {
+  All,
+  ThroughBoth,  ///< those of which `ShapeMeeting::through` tells: near the point, in no time
+};
+
 /// The same where the distance is known already.
 ShapeMeeting meeting_at(const ShapeDistance& found, const MeasuredShape& a, const MeasuredShape& b,
-                        double tolerance = Tolerances{}.point, const DistanceOptions& options = {});
+                        double tolerance = Tolerances{}.point, const DistanceOptions& options = {},
+                        Crossings crossings = Crossings::All);
 
 }  // namespace blossom::occt

@@ -38,6 +38,9 @@ class SolidDivisions {
   /// throws   BadModel if a face cannot be converted
   std::optional<SolidPieces> next();
 
+  /// What the first look at the faces has found; null before `next`.
+  const ShapeIntersection* first_look() const { return looks_[0] ? &looks_[0]->faces : nullptr; }
+
  private:
   struct Look {
     double tolerance = 0;

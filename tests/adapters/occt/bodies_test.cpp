@@ -117,6 +117,19 @@ TEST(BodyRelation, KnowsABoxThatFillsACavityAndMore) {
   EXPECT_EQ(filled.status, Status::Complete);
 }
 
+TEST(BodyRelation, OfSolidsInContactHandsOutWhatTheirFacesHaveInCommon) {
+  const ModelRelation touching =
+      found(box(gp_Pnt(0, 0, 0), gp_Pnt(1, 1, 1)), box(gp_Pnt(1, 0.2, 0.2), gp_Pnt(2, 0.8, 0.8)));
+  ASSERT_EQ(touching.pairs.size(), 1U);
+  ASSERT_TRUE(touching.pairs.front().faces);
+  const FacesMet& faces = *touching.pairs.front().faces;
+  EXPECT_EQ(faces.a.size(), 6U);
+  EXPECT_EQ(faces.b.size(), 6U);
+  EXPECT_TRUE(std::ranges::any_of(faces.found.pairs, [](const FaceIntersection& pair) {
+    return !pair.found.overlaps.empty();
+  }));
+}
+
 TEST(BodyRelation, TellsTouchingFromOverlapping) {
   expect_relation(box(gp_Pnt(0, 0, 0), gp_Pnt(1, 1, 1)), box(gp_Pnt(1, 0, 0), gp_Pnt(2, 1, 1)),
                   Relation::Touching);
