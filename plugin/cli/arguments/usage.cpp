@@ -94,23 +94,26 @@ void add_commands(const CLI::App& app, std::vector<const CLI::App*>& commands) {
 }
 
 // Where a command of that name is, at another place; or, if it is no command at all, what it is
-// about: "section" is what 'query plane' makes.
+// about, or an option of: "section" is what 'query plane' makes.
 std::string command_elsewhere(const CLI::App& app, const std::string& typed) {
-  constexpr std::size_t kShortest = 4;  // letters of a word that says enough
+  constexpr std::size_t kShortest = 3;  // letters of a word that says enough
   const CLI::App* root = &app;
   while (root->get_parent() != nullptr) root = root->get_parent();
   std::vector<const CLI::App*> commands;
   add_commands(*root, commands);
-  const auto hint = [](const CLI::App& command) {
-    return "; there is 'blossom " + command_name(command) + "': " + command.get_description();
+  const auto hint = [](const CLI::App& command, const std::string& option = {}) {
+    return "; there is 'blossom " + command_name(command) + option +
+           "': " + command.get_description();
   };
   for (const CLI::App* command : commands)
     if (command->get_name() == typed) return hint(*command);
   if (typed.size() < kShortest) return {};
   for (const CLI::App* command : commands)
-    if (has_word(command->get_description(), typed) ||
-        has_word(command->get_description(), typed + "s"))
-      return hint(*command);
+    if (has_word(command->get_description(), typed)) return hint(*command);
+  for (const CLI::App* command : commands)
+    if (command->get_option_no_throw("--" + typed) != nullptr) return hint(*command, " --" + typed);
+  for (const CLI::App* command : commands)
+    if (has_word(command->get_description(), typed + "s")) return hint(*command);
   return {};
 }
 

@@ -103,6 +103,9 @@ TEST(Usage, TellsWhereACommandIsThatIsNotHere) {
       {{"query", "section", "a.step"}, "there is 'blossom query plane': the section of"},
       {{"mesh", "a.step"}, "there is 'blossom convert': "},
       {{"fuse", "a.step"}, "there is 'blossom trim': "},
+      {{"cut", "a.step"}, "there is 'blossom trim': "},
+      {{"union", "a.step"}, "there is 'blossom trim': "},
+      {{"solid", "a.step"}, "there is 'blossom trim': "},
       {{"melt", "a.step"}, "there are info, check, "},
       {{"query", "nearest", "a.step", "--point", "0,0,0"}, "no command 'query nearest'; there is"},
   };

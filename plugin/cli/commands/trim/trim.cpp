@@ -250,7 +250,8 @@ int run(const TrimCommand& options) {
 void add_trim(CLI::App& app, int& exit_code) {
   CLI::App* const command = app.add_subcommand(
       "trim",
-      "a part cut along its intersections with tools; with --solid cut, common, fuse and split");
+      "a part cut along its intersections with tools; with --solid the booleans cut "
+      "(difference), common, fuse (union) and split");
   const auto options = std::make_shared<TrimCommand>();
   command->add_option("part", options->part, "model to be cut, or some of its faces")
       ->required()
