@@ -172,6 +172,12 @@ void add_coincident(const std::vector<std::vector<TopoDS_Edge>>& edges, const Co
     }
 }
 
+void meet_cuts(const std::vector<std::vector<TopoDS_Edge>>& edges, Side& side) {
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (FaceSplitter* const splitter = side.faces[i].splitter())
+      for (const TopoDS_Edge& edge : edges[i]) splitter->meet_cuts(edge);
+}
+
 // The vertices of the face's border in which a cut is divided.
 std::vector<TopoDS_Vertex> border_stops(const FaceDivision& face, std::size_t cut) {
   std::vector<TopoDS_Vertex> found;
@@ -197,6 +203,8 @@ void split_both(const ShapeIntersection& found, Side& a, Side& b, std::vector<Cu
   for (Side* side : {&a, &b})
     for (FaceDivision& face : side->faces)
       if (!face.cuts().empty()) face.begin(job);
+  meet_cuts(common.in_a(), a);
+  meet_cuts(common.in_b(), b);
   for (Side* side : {&a, &b})
     for (FaceDivision& face : side->faces) face.settle();
   unite_contacts(found, a, b, uses, job);

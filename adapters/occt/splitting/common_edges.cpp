@@ -9,6 +9,7 @@
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom_Line.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -37,11 +38,7 @@ bool have_same_ends(const EdgeSplits& splits, const TopoDS_Edge& a, const TopoDS
   return is_end(TopExp::FirstVertex(a)) && is_end(TopExp::LastVertex(a));
 }
 
-Box spline_box(const Spline& curve) {
-  Box box;
-  for (const Vec3& p : curve.points) box = joined(box, {p, p});
-  return box;
-}
+bool is_line(const RangedCurve& of) { return !Handle(Geom_Line)::DownCast(of.curve).IsNull(); }
 
 }  // namespace
 
@@ -181,6 +178,7 @@ void CommonEdges::add_coincident(const std::vector<TopoDS_Edge>& edges, Of of, s
     if (!feet) feet.emplace(in, options_.tolerances.point);
     ask_limit();
     if (!is_in(edge, in, *feet)) continue;
+    for (const TopoDS_Edge& other : lying) meet_own(edge, other);
     lying.push_back(edge);
     for (TopExp_Explorer it(in, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge own = TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD));
@@ -190,20 +188,51 @@ void CommonEdges::add_coincident(const std::vector<TopoDS_Edge>& edges, Of of, s
   }
 }
 
+double CommonEdges::meeting_tolerance(const TopoDS_Edge& a, const TopoDS_Edge& b) const {
+  return std::max(std::max(reach(a), reach(b)) / kLiesReach, stated_together(a, b));
+}
+
+CurveIntersection CommonEdges::common_of(const TopoDS_Edge& a, const TopoDS_Edge& b,
+                                         double tolerance) const {
+  IntersectionOptions options = limit_.remaining();
+  options.threads = options_.threads;
+  options.tolerances.point = tolerance;
+  return intersect(a, b, options);
+}
+
 void CommonEdges::meet(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   if (!looked_.emplace(edges_.Add(a), edges_.Add(b)).second) return;
   if (box_of(a, reach(a)).IsOut(box_of(b, reach(b)))) return;
-  IntersectionOptions options = limit_.remaining();
-  options.threads = options_.threads;
-  options.tolerances.point =
-      std::max(std::max(reach(a), reach(b)) / kLiesReach, stated_together(a, b));
-  const CurveIntersection found = intersect(a, b, options);
+  const double tolerance = meeting_tolerance(a, b);
+  const CurveIntersection found = common_of(a, b, tolerance);
   for (const CurvePoint& point : found.points)
-    meetings_.push_back(moved_to_end({a, b, point.a, point.b}, options.tolerances.point));
+    meetings_.push_back(moved_to_end({a, b, point.a, point.b}, tolerance));
   for (const CurveOverlap& run : found.overlaps) {
     along_.push_back({a, b, run.a, run.b});
     meetings_.push_back({a, b, run.a.from, run.b.from});
     meetings_.push_back({a, b, run.a.to, run.b.to});
+  }
+}
+
+// Edges of one shape that lie in a face of the other one meet in vertices that they share, or where
+// their shape touches itself. What they keep to from a shared vertex on is that vertex.
+void CommonEdges::meet_own(const TopoDS_Edge& edge, const TopoDS_Edge& other) {
+  if (box_of(edge, reach(edge)).IsOut(box_of(other, reach(other)))) return;
+  if (!looked_.emplace(edges_.Add(edge), edges_.Add(other)).second) return;
+  const RangedCurve of = curve_of(edge), beside = curve_of(other);
+  std::vector<double> shared;
+  for (const double end : {of.range.from, of.range.to})
+    if (const TopoDS_Vertex vertex =
+            end == of.range.from ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
+        vertex.IsSame(TopExp::FirstVertex(other)) || vertex.IsSame(TopExp::LastVertex(other)))
+      shared.push_back(end);
+  if (!shared.empty() && is_line(of) && is_line(beside)) return;
+  const double tolerance = meeting_tolerance(edge, other);
+  for (const CurvePoint& point : common_of(edge, other, tolerance).points) {
+    const bool is_shared = std::ranges::any_of(shared, [&](double end) {
+      return foot_on(beside, of.curve->Value(0.5 * (end + point.a))).distance <= tolerance;
+    });
+    if (!is_shared) meetings_.push_back(moved_to_end({edge, other, point.a, point.b}, tolerance));
   }
 }
 

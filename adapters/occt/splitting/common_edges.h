@@ -125,6 +125,9 @@ class CommonEdges {
   bool is_in(const TopoDS_Edge& edge, const TopoDS_Face& face, const SurfaceProjector& feet);
   void add_coincident(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
   void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
+  CurveIntersection common_of(const TopoDS_Edge& a, const TopoDS_Edge& b, double tolerance) const;
+  double meeting_tolerance(const TopoDS_Edge& a, const TopoDS_Edge& b) const;
+  void meet_own(const TopoDS_Edge& edge, const TopoDS_Edge& other);
   void touch(const FaceIntersection& pair, Of whose);
   void touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of whose);
   void add_uncertain(const TopoDS_Edge& edge, const TopoDS_Face& face,

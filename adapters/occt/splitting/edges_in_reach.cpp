@@ -103,6 +103,12 @@ bool follows(const IntersectionCurve& curve, const std::vector<EdgeInReach>& edg
   return !edges.empty() && std::ranges::all_of(curve.samples, is_along);
 }
 
+Box spline_box(const Spline& curve) {
+  Box box;
+  for (const Vec3& p : curve.points) box = joined(box, {p, p});
+  return box;
+}
+
 bool may_follow(const IntersectionCurve& curve, const std::vector<EdgeInReach>& edges) {
   const std::size_t last = curve.samples.size() - 1;
   return is_near(curve.samples[last / 2].point, edges) ||

@@ -31,6 +31,9 @@ struct EdgeInReach {
 std::vector<EdgeInReach> edges_in_reach(const std::vector<TopoDS_Edge>& edges,
                                         const EdgeReach& reach_of);
 
+/// The box of the control points; it holds the curve.
+Box spline_box(const Spline& curve);
+
 /// Two faces that cross, each of which may be off by the tolerance.
 struct CrossedFaces {
   Handle(Geom_Surface) a, b;

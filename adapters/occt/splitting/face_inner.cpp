@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The edges inside of a face that FaceSplitter splits: internal ones, and those of other shapes.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -11,13 +12,17 @@
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "adapters/occt/splitting/edges/edge_stretches.h"
+#include "adapters/occt/splitting/edges_in_reach.h"
 #include "adapters/occt/splitting/face_splitter.h"
 #include "core/base/sampled_margin.h"
 #include "core/base/unbounded.h"
+#include "core/curve_intersection.h"
 
 namespace blossom::occt {
 namespace {
@@ -195,6 +200,51 @@ TopoDS_Edge FaceSplitter::coincident_edge(const EdgePiece& piece, const Coincide
   add(from, TopExp::FirstVertex(piece.edge), TopAbs_FORWARD);
   add(to, TopExp::LastVertex(piece.edge), TopAbs_REVERSED);
   return edge;
+}
+
+// Whether an edge is near a cut from a place to one of its ends.
+bool FaceSplitter::leads_to_end(const FaceCut& cut, double at, const TopoDS_Edge& edge) const {
+  const RangedCurve beside = curve_of(edge);
+  const double near = kReach * std::max(tolerance_, cut.tolerance);
+  const Interval domain = cut.chart.domain();
+  return std::ranges::any_of(std::array{domain.from, domain.to}, [&](double end) {
+    return std::ranges::all_of(std::array{0.0, 0.5}, [&](double part) {
+      return foot_on(beside, pnt(space_point(cut, end + part * (at - end)))).distance <= near;
+    });
+  });
+}
+
+// Where a cut and an edge of another shape meet: a stop of the cut over each place of it in the
+// face.
+void FaceSplitter::meet_at(int cut, double at, const TopoDS_Vertex& shape) {
+  for (LiftedCut& lifted_cut : lifted_cuts_) {
+    if (lifted_cut.cut != cut) continue;
+    const Vec2 point = point_at(lifted_cut.curve, at);
+    if (!is_inside(trims_, point)) continue;
+    int vertex = vertex_of_shape(shape, point);
+    if (vertex < 0) {
+      vertex = static_cast<int>(vertices_.size());
+      vertices_.push_back({point, -1, -1, -1, shape});
+    }
+    lifted_cut.stops.emplace_back(at, vertex);
+  }
+}
+
+void FaceSplitter::meet_cuts(const TopoDS_Edge& lying) {
+  const auto boxes = edges_in_reach({lying}, [this](const TopoDS_Edge&) { return tolerance_; });
+  if (boxes.empty()) return;
+  for (std::size_t i = 0; i < cuts_.size(); ++i) {
+    const FaceCut& cut = cuts_[i];
+    if (!blossom::meet(boxes.front().box, spline_box(cut.curve))) continue;
+    IntersectionOptions options;
+    options.tolerances.point = std::max(tolerance_, cut.tolerance);
+    const CurveIntersection common =
+        intersect(bezier_spans(space_curve(cut), cut.chart.domain()), bezier_spans(lying), options);
+    for (const CurvePoint& point : common.points)
+      if (!leads_to_end(cut, point.a, lying))
+        meet_at(static_cast<int>(i), point.a,
+                splits_.vertex(lying, splits_.add(lying, point.b, {})));
+  }
 }
 
 // What does not, but begins or ends on a border, may leave a surface that ends beside the face.

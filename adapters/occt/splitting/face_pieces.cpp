@@ -27,10 +27,6 @@ namespace {
 constexpr double kAreaError = 1e-6;
 constexpr int kDeviationSamples = 33;
 
-Vec3 space_point(const FaceCut& cut, double t) {
-  return cut.conic ? point_at(*cut.conic, t) : point_at(cut.curve, t);
-}
-
 // The largest sampled distance between the curve and the image of its chart curve.
 double deviation(const FaceCut& cut, const Handle(Geom_Surface) & surface, const Interval& range) {
   double largest = 0;
@@ -61,6 +57,15 @@ void cover(const TopoDS_Vertex& vertex, const gp_Pnt& point, double edge_toleran
 }
 
 }  // namespace
+
+Handle(Geom_Curve) space_curve(const FaceCut& cut) {
+  if (cut.conic) return to_occt(*cut.conic);
+  return to_occt(cut.curve);
+}
+
+Vec3 space_point(const FaceCut& cut, double t) {
+  return cut.conic ? point_at(*cut.conic, t) : point_at(cut.curve, t);
+}
 
 const TopoDS_Vertex& FaceSplitter::shape_of(int vertex, const LiftedCut& lifted_cut,
                                             double parameter) {
@@ -109,8 +114,7 @@ TopoDS_Edge FaceSplitter::cut_edge(const LiftedCut& lifted_cut, const Interval& 
                 kSampledMargin * deviation(cut, BRep_Tool::Surface(face_), range)});
   const BRep_Builder builder;
   TopoDS_Edge edge;
-  const Handle(Geom_Curve) in_space = cut.conic ? to_occt(*cut.conic) : to_occt(cut.curve);
-  builder.MakeEdge(edge, in_space, tolerance);
+  builder.MakeEdge(edge, space_curve(cut), tolerance);
   builder.UpdateEdge(edge, chart_of(edge, lifted_cut), raw, location, tolerance);
   builder.Range(edge, range.from, range.to);
   const TopoDS_Vertex first = shape_of(from, lifted_cut, range.from);

@@ -38,6 +38,10 @@ struct FaceCut {
   std::array<double, 2> node_reach{};
 };
 
+/// The curve of a cut in space, what its edges become, and a point of it.
+Handle(Geom_Curve) space_curve(const FaceCut& cut);
+Vec3 space_point(const FaceCut& cut, double t);
+
 /// A piece of a cut on the border of a piece of the face.
 struct CutUse {
   int cut = 0;  ///< index of the cut
@@ -98,6 +102,11 @@ class FaceSplitter {
   /// Takes ends that stop just short of a wire to it, preferably where a neighbour splits the same
   /// edge already, and finds where cuts cross each other.
   void settle();
+
+  /// Divides cuts, and an edge of another shape that lies in the face, where they meet beside the
+  /// ends of cuts: there that shape, whose faces make the cuts, touches itself. Call it before
+  /// `settle`.
+  void meet_cuts(const TopoDS_Edge& lying);
 
   /// Says that an edge of another shape lies in the face, in whole or in parts. All its splits at
   /// the borders of the face have to be asked for, and their vertices united with the borders',
@@ -215,6 +224,8 @@ class FaceSplitter {
   CoincidentCurve coincident_curve(const TopoDS_Edge& edge, const SurfaceProjector& feet) const;
   TopoDS_Edge coincident_edge(const EdgePiece& piece, const CoincidentCurve& of, const Vec2& shift,
                               int from, int to);
+  bool leads_to_end(const FaceCut& cut, double at, const TopoDS_Edge& edge) const;
+  void meet_at(int cut, double at, const TopoDS_Vertex& shape);
   bool lies_in_face(const EdgePiece& piece, double reach, const SurfaceProjector& feet) const;
   std::vector<int> imprints_among(const std::vector<int>& arcs, OpenCuts open) const;
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iostream>
+#include <numbers>
 #include <string>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -21,6 +22,8 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
 
@@ -118,6 +121,34 @@ TEST(SolidChains, FillANotchThatTouchesAHole) {
     const Made filled = combined(notched.shape, notch(from, height), SolidOperation::Fuse);
     EXPECT_EQ(filled.fault, "") << "from " << from;
     EXPECT_NEAR(volume_of(filled.shape), whole + added, 1e-12) << "from " << from;
+  }
+}
+
+// Beside a rod stand another one and two blocks, which touch it in lines; the lid is up to its
+// middle, or level with the lower block, whose rim touches that of the rod in the lid's face.
+TEST(SolidChains, CoverRodsAndBlocksThatTouchInLines) {
+  TopoDS_Shape part = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, -2), gp_Pnt(24, 16, 0)).Shape();
+  const auto rod = [](double x, double y) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, 0), gp::DZ()), 2, 5).Shape();
+  };
+  for (const TopoDS_Shape& standing :
+       {rod(6, 6), rod(6, 2), BRepPrimAPI_MakeBox(gp_Pnt(8, 4, 0), gp_Pnt(12, 8, 5)).Shape(),
+        BRepPrimAPI_MakeBox(gp_Pnt(4, 8, 0), gp_Pnt(8, 12, 3)).Shape()}) {
+    const Made made = combined(part, standing, SolidOperation::Fuse);
+    ASSERT_EQ(made.fault, "");
+    part = made.shape;
+  }
+  const double whole = volume_of(part), base = 8 * std::numbers::pi + 32;  // of all below the lid
+  for (const auto& [from, to] : {std::array{2.0, 3.0}, {2.0, 4.0}, {3.0, 5.0}}) {
+    const TopoDS_Shape lid = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, from), gp_Pnt(24, 16, to)).Shape();
+    const double common = (to - from) * (base - 16) + (from < 3 ? 16 : 0);
+    for (const SolidOperation operation : {SolidOperation::Fuse, SolidOperation::Cut}) {
+      const Made made = combined(part, lid, operation);
+      EXPECT_EQ(made.fault, "") << "lid from " << from << " to " << to;
+      const double added = operation == SolidOperation::Fuse ? 384 * (to - from) : 0;
+      EXPECT_NEAR(volume_of(made.shape), whole + added - common, 1e-9)
+          << "lid from " << from << " to " << to;
+    }
   }
 }
 
