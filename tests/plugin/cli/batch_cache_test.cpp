@@ -50,10 +50,10 @@ class BatchCache : public ::testing::Test {
     write_rods(folder / "rods.step", 5);
     testing::write({testing::bowl()}, folder / "bowl.brep");
     testing::write({testing::bowl(), testing::lid(0.25)}, folder / "both.iges");
-    add({"info", "rods.step", "--json", "-", "--log", "info.log"});
-    add({"check", "rods.step", "--json", "-"});
-    add({"clash", "rods.step", "--json", "-"});
-    add({"intersect", "rods.step#short/Face1", "both.iges#2", "--json", "-"});
+    add({"info", "rods.step", "--json", "-", "--log", "rods.log"});
+    add({"check", "rods.step", "--json", "-", "--log", "rods.log"});
+    add({"clash", "rods.step", "--json", "-", "--log", "rods.log"});
+    add({"intersect", "rods.step#short/Face1", "both.iges#2", "--json", "-", "--log", "rods.log"});
     add({"query", "point", "bowl.brep", "--at", "0,0,1", "--json", "-"});
     add({"info", "nowhere.step"});
   }
@@ -65,7 +65,7 @@ class BatchCache : public ::testing::Test {
   // The results, sorted by their jobs.
   std::vector<std::string> run(const std::vector<std::string>& options) {
     testing::write_text(folder / "jobs.jsonl", lines);
-    for (const char* name : {"results.jsonl", "info.log"}) fs::remove(folder / name);  // added to
+    for (const char* name : {"results.jsonl", "rods.log"}) fs::remove(folder / name);  // added to
     std::vector<std::string> words{"batch", folder / "jobs.jsonl", "-o", folder / "results.jsonl",
                                    "-q"};
     words.insert(words.end(), options.begin(), options.end());
@@ -94,13 +94,14 @@ class BatchCache : public ::testing::Test {
   int jobs = 0;
 };
 
+// Which of the jobs of one file reads it is by chance.
 TEST_F(BatchCache, ChangesNoResult) {
   const std::vector<std::string> without = run({});
   EXPECT_EQ(run({"--cache", cache}), without);
-  EXPECT_NE(testing::text_of(folder / "info.log").find("transferring"), std::string::npos);
+  EXPECT_NE(testing::text_of(folder / "rods.log").find("transferring"), std::string::npos);
   EXPECT_EQ(kept().size(), 3u);
   EXPECT_EQ(run({"--cache", cache}), without);
-  EXPECT_EQ(testing::text_of(folder / "info.log").find("transferring"), std::string::npos);
+  EXPECT_EQ(testing::text_of(folder / "rods.log").find("transferring"), std::string::npos);
 }
 
 TEST_F(BatchCache, ChangesNoResultOfLooseFacesThatBecomeASolid) {
