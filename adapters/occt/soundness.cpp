@@ -156,6 +156,14 @@ void check_solid(const TopoDS_Solid& solid, std::vector<std::string>& found) {
   add_volume_problem(solid, found);
 }
 
+// What cannot be checked is a finding, so that the rest of the shape is still looked at.
+template <class Finding, class Check>
+void add_findings(const char* otherwise, std::vector<Finding>& found, const Check& check) try {
+  guarded(otherwise, check);
+} catch (const Failure& failure) {
+  found.push_back({failure.what()});
+}
+
 std::vector<std::string> body_problems(const TopoDS_Shape& shape, const CheckRunner& run) {
   std::vector<std::string> problems;
   const auto look_at_all = [&](const std::string& noun, TopAbs_ShapeEnum kind, const auto& check) {
@@ -164,8 +172,8 @@ std::vector<std::string> body_problems(const TopoDS_Shape& shape, const CheckRun
     for (int i = 1; i <= bodies.Extent(); ++i) {
       const std::string name = noun + " " + std::to_string(i);
       std::vector<std::string> found;
-      const std::string doing = "checking " + name;
-      if (!run(doing, [&] { guarded(doing, [&] { check(bodies(i), found); }); }))
+      const auto look = [&] { check(bodies(i), found); };
+      if (!run("checking " + name, [&] { add_findings("it cannot be checked", found, look); }))
         found = {kUnchecked};
       for (const std::string& each : found) problems.push_back(name + ": " + each);
     }
@@ -179,10 +187,14 @@ std::vector<std::string> body_problems(const TopoDS_Shape& shape, const CheckRun
   return problems;
 }
 
-void measure(const TopoDS_Edge& edge, const TopoDS_Face& face, EdgeSoundness& of) try {
-  guarded("it cannot be measured", [&] { add_gaps(edge_gaps(edge, face), of); });
-} catch (const Failure& failure) {
-  of.problems.push_back({failure.what()});
+void measure(const TopoDS_Edge& edge, const TopoDS_Face& face, EdgeSoundness& of) {
+  add_findings("it cannot be measured", of.problems, [&] { add_gaps(edge_gaps(edge, face), of); });
+}
+
+std::vector<Problem> problems_of_wires(const TopoDS_Face& face) {
+  std::vector<Problem> found;
+  add_findings("its wires cannot be checked", found, [&] { found = wire_problems(face); });
+  return found;
 }
 
 FaceSoundness looked_at(int number, const std::vector<std::string>& problems,
@@ -198,8 +210,7 @@ FaceSoundness looked_at(int number, const std::vector<std::string>& problems,
       found.edges.push_back(edge);
     measure(TopoDS::Edge(it.Current()), face, of);
   }
-  if (found.problems.empty())
-    guarded("checking wires", [&] { found.problems = wire_problems(face); });
+  if (found.problems.empty()) found.problems = problems_of_wires(face);
   return found;
 }
 
@@ -238,8 +249,7 @@ Soundness looked_at(const TopoDS_Shape& shape, const std::vector<int>& wanted,
 // The first thing that is wrong with a face or its wires.
 std::optional<Problem> first_problem(const TopoDS_Face& face, const std::vector<std::string>& own) {
   if (!own.empty()) return Problem{own.front()};
-  std::vector<Problem> of_wires;
-  guarded("checking wires", [&] { of_wires = wire_problems(face); });
+  const std::vector<Problem> of_wires = problems_of_wires(face);
   if (of_wires.empty()) return std::nullopt;
   return of_wires.front();
 }

@@ -19,6 +19,7 @@
 #include <BRepTools.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/listening.h"
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/repair/closed_corners.h"
 #include "adapters/occt/repair/missing_curves.h"
@@ -259,6 +260,7 @@ std::vector<WriteNote> write_model(const Model& given, const std::filesystem::pa
   FileContent content;
   try {
     const std::lock_guard guard(exchange_lock());
+    const Listening listening;  // it tells of each face that its writers cannot simplify
     content = guarded("writing", [&] { return content_of(model, *model.impl_, format, notes); });
   } catch (const Failure& failure) {
     throw Failure(file.string() + ": " + failure.what());

@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What no model has: compounds in compounds as deep as only hostile files are, places that scale,
-// faces without surfaces or without ends.
+// faces without surfaces or without ends, curves that end too soon.
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Poly_Triangulation.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <gp.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 
@@ -147,6 +156,37 @@ TEST(OddBreps, CurvesThatLieEndlesslyFarAwayAreLeftOut) {
   EXPECT_NE(model.reading().losses[0].cause.find("a number of the curve is not finite"),
             std::string::npos)
       << model.reading().losses[0].cause;
+}
+
+// A solid of revolution whose generatrix ends before its edge.
+Model with_short_generatrix() {
+  const Folder folder;
+  const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 3);
+  points->SetValue(1, gp_Pnt(5, 0, 0));
+  points->SetValue(2, gp_Pnt(7, 0, 5));
+  points->SetValue(3, gp_Pnt(4, 0, 10));
+  GeomAPI_Interpolate curve(points, false, 1e-9);
+  curve.Perform();
+  BRepBuilderAPI_MakePolygon axis(gp_Pnt(4, 0, 10), gp_Pnt(0, 0, 10), gp_Pnt(0, 0, 0),
+                                  gp_Pnt(5, 0, 0));
+  BRepBuilderAPI_MakeWire wire(axis.Wire());
+  wire.Add(BRepBuilderAPI_MakeEdge(curve.Curve()).Edge());
+  const TopoDS_Shape profile = BRepBuilderAPI_MakeFace(wire.Wire(), true).Shape();
+  const TopoDS_Shape solid = BRepPrimAPI_MakeRevol(profile, gp::OZ(), 4.0).Shape();
+  BRepTools::Write(solid, (folder / "short.brep").c_str());
+  std::string text = testing::content(folder / "short.brep");
+  const std::string first_knot = "\n 0 3 ";
+  const std::size_t last_knot = text.find(first_knot, text.find("\nCurves ")) + first_knot.size();
+  text.replace(last_knot, text.find(' ', last_knot) - last_knot, "11.2");  // of 11.216
+  testing::write_content(folder / "short.brep", text);
+  return read_model(folder / "short.brep");
+}
+
+TEST(OddBreps, ABodyThatCannotBeCheckedIsAFinding) {
+  const Soundness found = soundness(with_short_generatrix().shape());
+  ASSERT_FALSE(found.problems.empty());
+  EXPECT_EQ(found.problems.back(),
+            "solid 1: it cannot be checked: its numbers make no such geometry");
 }
 
 }  // namespace
