@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
@@ -93,6 +95,19 @@ void check_finite(const gp_XYZ& point, const std::string& what) {
 void check_weight(double weight, const std::string& what) {
   if (!std::isfinite(weight) || weight <= 0)
     throw BadModel(what + " is " + std::to_string(weight) + ", weights must be positive");
+}
+
+void Weights::add(double weight) {
+  least_ = std::min(least_, weight);
+  most_ = std::max(most_, weight);
+}
+
+void Weights::check_range() const {
+  if (!(std::numeric_limits<double>::epsilon() * most_ > least_)) return;
+  std::ostringstream text;
+  text << "its weights go from " << least_ << " to " << most_
+       << ", and the lightest point is lost in roundings of the heaviest";
+  throw BadModel(text.str());
 }
 
 }  // namespace blossom::occt

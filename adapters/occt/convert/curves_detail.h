@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -60,5 +61,19 @@ bool is_finite(const gp_XYZ& point);
 /// throws   BadModel naming `what` unless all coordinates are finite
 void check_finite(const gp_XYZ& point, const std::string& what);
 void check_weight(double weight, const std::string& what);
+
+/// The weights of one curve or surface.
+class Weights {
+ public:
+  void add(double weight);
+
+  /// throws   BadModel if the lightest point is lost in the roundings of the heaviest: what lies
+  ///          between them then is no place that double precision can tell
+  void check_range() const;
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity();
+  double most_ = 0;
+};
 
 }  // namespace blossom::occt

@@ -71,15 +71,18 @@ BezierSurface patches_of(const Handle(Geom_Surface) & surface, const ParameterBo
 template <class Surface>
 void check_surface_poles(const Surface& surface) {
   const bool rational = surface.IsURational() || surface.IsVRational();
+  Weights weights;
   for (int i = 1; i <= surface.NbUPoles(); ++i)
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
       const gp_XYZ pole = surface.Pole(i, j).XYZ();
       const double weight = rational ? surface.Weight(i, j) : 1;
+      weights.add(weight);
       if (is_bounded(pole) && weight > 0 && std::isfinite(weight)) continue;
       const std::string place = " (" + std::to_string(i) + ", " + std::to_string(j) + ")";
       check_bounded(pole, "control point" + place);
       check_weight(weight, "weight" + place);
     }
+  weights.check_range();
 }
 
 void check_knots(const Geom_BSplineSurface& surface) {

@@ -52,9 +52,11 @@ void check_face(const TopoDS_Face& face, const NumberSource& source) {
 }
 
 void check_planar_numbers(const Geom2d_Curve& curve) {
-  const auto check = [](const gp_Pnt2d& point, double weight) {
+  Weights weights;
+  const auto check = [&](const gp_Pnt2d& point, double weight) {
     check_finite({point.X(), point.Y(), 0}, "a point of its curve in a face's parameters");
     check_weight(weight, "a weight of its curve in a face's parameters");
+    weights.add(weight);
   };
   if (const auto* spline = dynamic_cast<const Geom2d_BSplineCurve*>(&curve)) {
     for (int i = 1; i <= spline->NbPoles(); ++i) check(spline->Pole(i), spline->Weight(i));
@@ -70,6 +72,7 @@ void check_planar_numbers(const Geom2d_Curve& curve) {
   } else {
     check(curve.Value(0.5), 1);
   }
+  weights.check_range();
 }
 
 void check_range(double first, double last) {

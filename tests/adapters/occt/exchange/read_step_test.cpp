@@ -303,6 +303,10 @@ TEST(ReadingStep, RefusesTheOnlyFaceWhenWeightsOrKnotsAreNoGood) {
         << said;
     EXPECT_TRUE(said.starts_with("holds no shape that can be used")) << said;
   }
+  testing::write_content(folder / "sheet.step", replaced(text, "0.437500000000000", "2.5E16"));
+  EXPECT_NE(refusal(folder / "sheet.step").find("the lightest point is lost in roundings"),
+            std::string::npos)
+      << refusal(folder / "sheet.step");
   const std::size_t knots = text.find("B_SPLINE_SURFACE_WITH_KNOTS((4,");
   ASSERT_NE(knots, std::string::npos);
   testing::write_content(folder / "sheet.step", std::string(text).replace(knots + 29, 1, "3"));
