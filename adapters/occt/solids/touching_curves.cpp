@@ -4,19 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Bnd_Box.hxx>
+
+#include "adapters/occt/convert/hulls.h"
 #include "adapters/occt/faces/surface_projector.h"
 
 namespace blossom::occt {
 namespace {
 
-// How far beside a contact the surfaces are looked at: of its length, and of the root of that times
-// the tolerance, within which surfaces with a radius of that length do not leave each other. Then
-// twice as far and so on, until they do. At a distance d surfaces with a relative radius R are
-// d^2 / (2 R) apart, so radii may be longer than the contact by the square of how much farther they
-// are looked at.
+// How far beside a contact the surfaces are looked at first: of its length, and of the root of that
+// times the tolerance, within which surfaces with a radius of that length do not leave each other.
+// Then twice as far and so on, until they do or the smaller face ends.
 constexpr double kBeside = 1e-2;
 constexpr double kLeave = 4;
-constexpr double kMaxRadius = 256;  // of the contact's length: what is flatter is left open
 
 // Beside a tangential curve, the sides of the second face on which the first one lies.
 struct Beside {
@@ -24,10 +24,9 @@ struct Beside {
 };
 
 void look_beside(const IntersectionCurve& curve, const SurfaceProjector& on_a,
-                 const SurfaceProjector& on_b, double tolerance, Beside& beside) {
+                 const SurfaceProjector& on_b, double tolerance, double farthest, Beside& beside) {
   const double step =
       std::max(kBeside * curve.length, kLeave * std::sqrt(tolerance * curve.length));
-  const double farthest = std::sqrt(kMaxRadius) * step;
   for (const double part : {0.2, 0.5, 0.8}) {
     const double s = at(curve.curve.domain(), part);
     const SurfaceJet frame = frame_at(on_a.surface(), point_at(curve.chart_a, s));
@@ -45,13 +44,15 @@ void look_beside(const IntersectionCurve& curve, const SurfaceProjector& on_a,
   }
 }
 
+double extent(const TopoDS_Face& face) { return std::sqrt(bounds_of(face).SquareExtent()); }
+
 }  // namespace
 
 bool only_touch(const IntersectionCurve& curve, const TopoDS_Face& a, const TopoDS_Face& b,
                 double tolerance) {
   Beside beside;
   look_beside(curve, SurfaceProjector(a, tolerance), SurfaceProjector(b, tolerance), tolerance,
-              beside);
+              std::min(extent(a), extent(b)), beside);
   return !beside.open && beside.above != beside.below;
 }
 

@@ -194,6 +194,16 @@ TEST(NearContacts, ACylinderThatReachesThroughSidesWithinWhatTheyStateTouchesThe
   }
 }
 
+// The line along which they touch is a millionth long: how they bend is seen far beside it only.
+TEST(NearContacts, ABoxThatTouchesACylinderAlongAHairOfItIsOneWithIt) {
+  const TopoDS_Shape cylinder =
+      BRepPrimAPI_MakeCylinder(gp_Ax2({3, 1, 1}, {0, 0, -1}, {-1, 0, 0}), 1, 5).Shape();
+  const TopoDS_Shape box =
+      BRepPrimAPI_MakeBox(gp_Pnt(2.5, 2, -5), gp_Pnt(12.5, 4, -4 + 1e-6)).Shape();
+  expect_sound_volume(cylinder, box, SolidOperation::Fuse, 5 * kPi + 20 * (1 + 1e-6));
+  expect_sound_volume(box, cylinder, SolidOperation::Cut, 20 * (1 + 1e-6));
+}
+
 // As high as wide: where the curves in which they cross meet the rims they touch them, and each
 // other's seams, from whichever side they are seen.
 TEST(NearContacts, CrossedEqualCylindersThatTouchEachOthersRimsAreDividedInBothOrders) {
