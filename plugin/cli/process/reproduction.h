@@ -7,26 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "plugin/cli/process/supervision.h"
+#include "plugin/cli/process/reduction.h"
 
 namespace blossom::cli {
-
-/// How a command came out.
-struct Ended {
-  int code = 0;
-  Ending how;
-};
-
-/// What runs a command line in this process, as run_program does.
-using Program = std::function<int(int argc, char** argv)>;
 
 /// Runs a command line under supervision. If its exit code is 1 or 4, or it crashed, and it has
 /// --reproduce DIR, the folder gets its inputs and repeat, which repeats it there. A batch leaves
 /// that to its jobs.
 ///
-/// Of inputs that are models only those faces stay that it takes: halves of them are left out as
-/// long as what is left comes to the same end, in up to 40 runs that take up to 20 times as long as
-/// the command itself in all, and a minute at least.
+/// Of inputs that are models only those solids and faces stay that it takes: runs of them are left
+/// out, shorter and shorter ones, as long as the command comes to the same end and says the same
+/// then, but for names and numbers. Each face that is left is one that cannot be left out alone,
+/// unless time is over: 20 times as long as the command itself, and a minute at least.
 ///
 /// words     the program's name first
 /// ended     told before that begins

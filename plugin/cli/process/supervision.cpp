@@ -41,7 +41,7 @@ constexpr timespec kTick{0, 20 * 1000 * 1000};  // between two looks at the work
 
 constexpr std::size_t kMaxLines = 256;  // that are known when the work begins again
 
-double greatest_time_limit = 0;  // seconds; 0 for none
+double greatest_limit = 0;  // seconds; 0 for none
 bool work_crashed = false;
 std::terminate_handler uncaught_as_ever = std::abort;
 
@@ -60,7 +60,7 @@ struct Board {
   std::size_t lines = 0;
 
   void begin() {
-    time_limit = greatest_time_limit;
+    time_limit = greatest_limit;
     processor_limit = 0;
     phase = Phase::Starting;
     subject[0] = step[0] = '\0';
@@ -334,11 +334,13 @@ void report_lack_of_memory() {
   if (board != nullptr) board->lacks_memory = true;
 }
 
-void set_greatest_time_limit(double seconds) { greatest_time_limit = seconds; }
+void set_greatest_time_limit(double seconds) { greatest_limit = seconds; }
+
+double greatest_time_limit() { return greatest_limit; }
 
 void set_time_limit(double seconds) {
   if (board == nullptr) return;
-  board->time_limit = greatest_time_limit > 0 ? std::min(seconds, greatest_time_limit) : seconds;
+  board->time_limit = greatest_limit > 0 ? std::min(seconds, greatest_limit) : seconds;
 }
 
 double seconds_left() {

@@ -52,6 +52,9 @@ void report_lack_of_memory();
 /// itself can only be less.
 void set_greatest_time_limit(double seconds);
 
+/// The same; 0 if there is none.
+double greatest_time_limit();
+
 /// Tells the parent what is being done.
 /// subject   the file that is read or written, or what is being done: "intersecting"
 /// step      what is being done to the file, if that is known: "transferring the shapes of a.step"

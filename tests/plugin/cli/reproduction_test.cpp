@@ -7,6 +7,12 @@
 #include <iterator>
 #include <string>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+
+#include "adapters/occt/shapes.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom {
@@ -14,6 +20,34 @@ namespace {
 
 using testing::blossom;
 using testing::Finished;
+
+// A prism over a quadrilateral of which two sides cross at (5, 5).
+TopoDS_Shape crossed_prism() {
+  BRepBuilderAPI_MakePolygon border(gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(0, 10, 0),
+                                    gp_Pnt(10, 10, 0), true);
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(border.Wire()), gp_Vec(0, 0, 10)).Shape();
+}
+
+TopoDS_Shape pillar_at(double x) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(x, 4, -1), gp_Pnt(x + 2, 7, 19)).Shape();
+}
+
+void write_solids(const std::vector<TopoDS_Shape>& shapes, const std::filesystem::path& file) {
+  occt::quiet_messages();
+  occt::Model model;
+  for (const TopoDS_Shape& shape : shapes) model.add(shape, "part");
+  occt::write_model(model, file);
+}
+
+// Runs `repeat` in the folder.
+Finished run_again(const std::filesystem::path& folder) {
+  const std::filesystem::path err = folder / "err";
+  const std::string program = std::filesystem::path(BLOSSOM_PROGRAM).parent_path();
+  const std::string command = "PATH='" + program + "':$PATH sh '" + (folder / "repeat").string() +
+                              "' >/dev/null 2>'" + err.string() + "'";
+  const int status = std::system(command.c_str());
+  return {WEXITSTATUS(status), {}, testing::text_of(err)};
+}
 
 class Reproduction : public ::testing::Test {
  protected:
@@ -36,11 +70,24 @@ TEST_F(Reproduction, OfAStoppedCommandHasTheFacesThatItTakes) {
     const Finished info = blossom({"info", case_folder / name});
     EXPECT_NE(info.out.find(" 1 face,"), std::string::npos) << info.out;
   }
-  const std::string program = std::filesystem::path(BLOSSOM_PROGRAM).parent_path();
-  const std::string repeat =
-      "PATH='" + program + "':$PATH sh '" + (case_folder / "repeat").string() + "' >/dev/null";
-  const int status = std::system(repeat.c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 4);
+  EXPECT_EQ(run_again(case_folder).code, 4);
+}
+
+// With fewer faces the boolean would be refused, too, but for another reason.
+TEST_F(Reproduction, OfARefusedBooleanHasTheSolidsOfThatRefusal) {
+  write_solids({pillar_at(20), pillar_at(30), crossed_prism(), pillar_at(40), pillar_at(50)}, a);
+  write_solids({pillar_at(70), pillar_at(4), pillar_at(80)}, b);
+  const Finished run = blossom({"trim", a, b, "--solid", "cut", "-o", folder / "out.brep", "-q",
+                                "--reproduce", case_folder});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find(": the part meets itself: "), std::string::npos) << run.err;
+  for (const char* name : {"input1.brep", "input2.brep"}) {
+    const Finished info = blossom({"info", case_folder / name});
+    EXPECT_NE(info.out.find(" 1 solid, 1 shell, 6 faces,"), std::string::npos) << info.out;
+  }
+  const Finished again = run_again(case_folder);
+  EXPECT_EQ(again.code, 1);
+  EXPECT_NE(again.err.find(": the part meets itself: "), std::string::npos) << again.err;
 }
 
 TEST_F(Reproduction, OfACommandThatIsDoneIsNotWritten) {
