@@ -70,6 +70,23 @@ found = blossom.intersect(saddle, plane)
 assert found.status == "complete" and len(found.curves) == 1, found'
 }
 claim "Python imports blossom, and it answers" python_answers
+# Two patches as files of models, and a list with the job to intersect them.
+job=$bare/srv/job
+as_root mkdir "$job"
+net() {
+  printf '{"schema": "blossom.net/1", "nets": [{"kind": "patch", "degree": [1, 1], "points": %s}]}' "$1" |
+    as_root tee "$job/$2.json" >/dev/null
+  as_user blossom convert "/srv/job/$2.json" -o "/srv/job/$2.step" -q
+}
+intersects_by_list() {
+  net '[[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]' saddle
+  net '[[[0, 0, 0.25], [0, 1, 0.25]], [[1, 0, 0.25], [1, 1, 0.25]]]' plane
+  echo '{"id": "both", "arguments": ["intersect", "saddle.step", "plane.step", "--json", "-"]}' |
+    as_root tee "$job/jobs.jsonl" >/dev/null
+  as_user blossom batch /srv/job/jobs.jsonl -o /srv/job/results.jsonl -q &&
+    grep -q '"status":"done".*"schema":"blossom.intersection/1".*"status":"complete"' "$job/results.jsonl"
+}
+claim "blossom intersects STEP files by a list of jobs" intersects_by_list
 claim "there is a manual page" inside test -s /usr/share/man/man1/blossom-intersect.1.gz
 
 step "FreeCAD and DRAW"
