@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/process/reproduction.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -13,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "plugin/cli/arguments/values.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/process/supervision.h"
 #include "plugin/cli/program.h"
@@ -144,15 +147,40 @@ Words smallest_command(const Words& words, const Program& program, const Ended& 
                         Reduction(command, program, Clock::now()));
 }
 
+// The same with the time limit that it had from outside, where its own is no shorter one.
+Words with_time_limit(Words command) {
+  const double limit = greatest_time_limit();
+  if (!(limit > 0)) return command;
+  const std::string option = "--time-limit", tied = option + "=";
+  for (std::size_t i = 0; i < command.size(); ++i) {
+    const bool is_tied = command[i].starts_with(tied);
+    if (!is_tied && (command[i] != option || i + 1 == command.size())) continue;
+    std::string& own = command[is_tied ? i : i + 1];
+    if (std::stod(is_tied ? own.substr(tied.size()) : own) > limit)
+      own = (is_tied ? tied : "") + number_text(limit);
+    return command;
+  }
+  command.insert(std::ranges::find(command, "--"), {option, number_text(limit)});
+  return command;
+}
+
+// What gives a shell the limit on memory that this process has; empty if there is none.
+std::string memory_limit_command() {
+  constexpr rlim_t kUnit = 1024;  // bytes
+  rlimit limit{};
+  if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return {};
+  return "ulimit -d " + std::to_string(limit.rlim_cur / kUnit) + " && ";
+}
+
 void reproduce(const Words& words, const Program& program, const Ended& ended, double seconds,
                const std::filesystem::path& folder) {
   const auto until =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
                          std::max(kMinAgainSeconds, kTimesAsLong * seconds)));
   std::filesystem::create_directories(folder);
-  const Words command = smallest_command(words, program, ended, until, folder);
+  const Words command = with_time_limit(smallest_command(words, program, ended, until, folder));
   std::ofstream script(folder / "repeat");
-  script << "#!/bin/sh\ncd \"$(dirname \"$0\")\" && exec blossom";
+  script << "#!/bin/sh\ncd \"$(dirname \"$0\")\" && " << memory_limit_command() << "exec blossom";
   for (std::size_t i = 1; i < command.size(); ++i) script << ' ' << quoted_word(command[i]);
   script << '\n';
   script.close();

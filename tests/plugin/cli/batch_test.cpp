@@ -133,6 +133,19 @@ TEST_F(Batch, JobsThatAreStoppedLeaveWhatRepeatsThem) {
   EXPECT_FALSE(std::filesystem::exists(folder / "again {"));
 }
 
+// Without a batch there are no limits from outside.
+TEST_F(Batch, WhatRepeatsAJobThatALimitStoppedHasTheLimit) {
+  const Finished run =
+      blossom({"batch", "--each", folder / "bowl.brep", "-o", results, "--time-limit", "0.3",
+               "--memory-limit", "1024", "--", "convert", "{}", "-o", folder / "bowl.stl",
+               "--deviation", "1e-9", "--reproduce", folder / "again"});
+  EXPECT_EQ(run.code, 4) << run.err;
+  const std::string repeat = testing::text_of(folder / "again/repeat");
+  EXPECT_NE(repeat.find(" && ulimit -d 1000000 && exec blossom 'convert' "), std::string::npos)
+      << repeat;
+  EXPECT_TRUE(repeat.ends_with(" '--time-limit' '0.3'\n")) << repeat;
+}
+
 TEST_F(Batch, TellsWhyJobsAreStopped) {
   const Finished run =
       blossom({"batch", "--each", folder / "bowl.brep", "-o", results, "--", "intersect", "{}",
