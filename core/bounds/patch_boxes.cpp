@@ -5,7 +5,9 @@
 #include <atomic>
 #include <cstddef>
 #include <cstring>
+#include <memory>
 #include <span>
+#include <type_traits>
 
 #include "core/base/parallel.h"
 #include "core/base/unbounded.h"
@@ -47,30 +49,26 @@ Box hull_box(const RationalBezierPatch& patch, bool rational) {
 
 // Visits each patch, too, while it is in the cache.
 template <class Visit>
-Grid<Box> patch_boxes(const BezierSurface& surface, Visit visit) {
-  Grid<Box> boxes(surface.patches.rows(), surface.patches.columns());
-  parallel_for(boxes.values().size(), kPatchGrain, [&](std::size_t i) {
-    const RationalBezierPatch& patch = surface.patches.values()[i];
-    boxes.values()[i] = hull_box(patch, surface.rational);
-    visit(patch);
-  });
-  return boxes;
+BoxGrid patch_boxes(const BezierSurface& surface, Visit visit) {
+  return {surface.patches.rows(), surface.patches.columns(), kPatchGrain, [&](std::size_t i) {
+            const RationalBezierPatch& patch = surface.patches.values()[i];
+            visit(patch);
+            return hull_box(patch, surface.rational);
+          }};
 }
 
-Grid<Box> blocks_of(const Grid<Box>& boxes) {
+BoxGrid blocks_of(const BoxGrid& boxes) {
   const auto count = [](int n) { return (n + kBlock - 1) / kBlock; };
-  Grid<Box> blocks(count(boxes.rows()), count(boxes.columns()));
-  parallel_for(blocks.values().size(), kBlockGrain, [&](std::size_t k) {
-    const int block = static_cast<int>(k);
-    const int row = kBlock * (block / blocks.columns());
-    const int column = kBlock * (block % blocks.columns());
-    Box box;
-    for (int i = row; i < std::min(row + kBlock, boxes.rows()); ++i)
-      for (int j = column; j < std::min(column + kBlock, boxes.columns()); ++j)
-        box = joined(box, boxes(i, j));
-    blocks.values()[k] = box;
-  });
-  return blocks;
+  const int rows = count(boxes.rows()), columns = count(boxes.columns());
+  return {rows, columns, kBlockGrain, [&boxes, columns](std::size_t k) {
+            const int row = kBlock * (static_cast<int>(k) / columns);
+            const int column = kBlock * (static_cast<int>(k) % columns);
+            Box box;
+            for (int i = row; i < std::min(row + kBlock, boxes.rows()); ++i)
+              for (int j = column; j < std::min(column + kBlock, boxes.columns()); ++j)
+                box = joined(box, boxes(i, j));
+            return box;
+          }};
 }
 
 // Of a few boxes a tree is as quick, and its halves are nearly as thin as the boxes allow.
@@ -98,7 +96,7 @@ using Pairs = std::vector<std::array<int, 2>>;
 // Walks down two hierarchies; the longer box is divided first.
 class Meeting {
  public:
-  Meeting(const std::vector<Grid<Box>>& a, const std::vector<Grid<Box>>& b, double gap)
+  Meeting(const std::vector<BoxGrid>& a, const std::vector<BoxGrid>& b, double gap)
       : a_(a), b_(b), margin_(margin_of(a) + margin_of(b) + gap) {}
 
   // The order is that of a walk by one thread.
@@ -134,11 +132,11 @@ class Meeting {
 
   static bool are_patches(const BlockPair& pair) { return pair.p.level == 0 && pair.q.level == 0; }
 
-  static const Box& box(const std::vector<Grid<Box>>& levels, const Block& block) {
+  static const Box& box(const std::vector<BoxGrid>& levels, const Block& block) {
     return levels[block.level](block.row, block.column);
   }
 
-  static double margin_of(const std::vector<Grid<Box>>& levels) {
+  static double margin_of(const std::vector<BoxGrid>& levels) {
     const Box& all = levels.back()(0, 0);
     return kRounding * std::max(max_norm(all.low), max_norm(all.high));
   }
@@ -164,21 +162,33 @@ class Meeting {
 
   // Those parts that meet a box.
   template <class Visit>
-  static void for_each_part(const std::vector<Grid<Box>>& levels, const Block& block,
-                            const Box& near, Visit visit) {
-    const Grid<Box>& parts = levels[block.level - 1];
+  static void for_each_part(const std::vector<BoxGrid>& levels, const Block& block, const Box& near,
+                            Visit visit) {
+    const BoxGrid& parts = levels[block.level - 1];
     const int row = kBlock * block.row, column = kBlock * block.column;
     for (int i = row; i < std::min(row + kBlock, parts.rows()); ++i)
       for (int j = column; j < std::min(column + kBlock, parts.columns()); ++j)
         if (meet(parts(i, j), near)) visit({block.level - 1, i, j});
   }
 
-  const std::vector<Grid<Box>>& a_;
-  const std::vector<Grid<Box>>& b_;
+  const std::vector<BoxGrid>& a_;
+  const std::vector<BoxGrid>& b_;
   const double margin_;
 };
 
 }  // namespace
+
+static_assert(std::is_trivially_destructible_v<Box>);  // as a grid of them is given back unseen
+
+BoxGrid::BoxGrid(int rows, int columns, std::size_t grain,
+                 const std::function<Box(std::size_t)>& box_of)
+    : rows_(rows),
+      columns_(columns),
+      count_(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns)),
+      boxes_(static_cast<Box*>(::operator new(count_ * sizeof(Box)))) {
+  parallel_for(count_, grain,
+               [&](std::size_t i) { std::construct_at(boxes_.get() + i, box_of(i)); });
+}
 
 PatchBoxes::PatchBoxes(const BezierSurface& surface) {
   levels_.push_back(patch_boxes(surface, [](const RationalBezierPatch&) {}));

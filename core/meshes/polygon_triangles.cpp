@@ -69,7 +69,7 @@ std::optional<PolygonTriangles> delaunay(std::vector<Vec2> places, PolygonCorner
                         corners[index(face.corner[2])]});
     return made;
   } catch (const InvalidInput&) {
-    return {};  // two corners are at one place
+    return {};  // two corners are at one place, or near the largest number apart
   }
 }
 

@@ -14,7 +14,7 @@ namespace blossom {
 /// Triangles that cover a polygon once, turned as it is: a fan from its first corner where every
 /// triangle of that goes round as the polygon does; else a constrained Delaunay triangulation of
 /// what is seen of it along the axis that is most across to it. The fan, too, if the polygon then
-/// crosses itself, touches itself, or has no area.
+/// crosses itself, touches itself, has no area, or is nearly as large as numbers can be.
 ///
 /// points    model units; of the whole mesh
 /// corners   numbers of points, at least 3

@@ -2,6 +2,7 @@
 #include "core/regions/delaunay/constrained_delaunay.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/errors.h"
 #include "core/base/not_zero.h"
@@ -27,6 +28,9 @@ ConstrainedDelaunay::ConstrainedDelaunay(std::vector<Vec2> points) : points_(std
   points_.push_back(middle + Vec2{-size, -size});
   points_.push_back(middle + Vec2{size, -size});
   points_.push_back(middle + Vec2{0, size});
+  for (const Vec2& p : points_)
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
+      throw InvalidInput("points are too far apart for a triangle round them");
   faces_.push_back({{first_far_, first_far_ + 1, first_far_ + 2}, {kNone, kNone, kNone}, {}});
   face_at_.assign(points_.size(), 0);
   for (int i = 0; i < first_far_; ++i) divide(i, locate(points_[at(i)]));

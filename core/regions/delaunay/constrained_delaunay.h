@@ -32,7 +32,7 @@ class ConstrainedDelaunay {
     bool inside = false;        ///< of the region, once that is marked
   };
 
-  /// throws   InvalidInput if two points are equal
+  /// throws   InvalidInput if two points are equal, or a triangle far round all is not finite
   explicit ConstrainedDelaunay(std::vector<Vec2> points);
 
   const std::vector<Face>& faces() const { return faces_; }

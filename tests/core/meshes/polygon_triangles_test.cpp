@@ -62,5 +62,14 @@ TEST(PolygonTriangles, OfOneThatCrossesItselfAreAsManyAsOfAnother) {
   EXPECT_EQ(triangles_of_all({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}).size(), 2u);
 }
 
+TEST(PolygonTriangles, OfOneNearTheLargestNumberAreAsManyAsOfAnother) {
+  const double x = 3e307;
+  std::vector<Vec3> l{{0, 0, 1}, {x, 0, 1}, {x, 1, 1}, {1, 1, 1}, {1, 3, 1}, {0, 3, 1}};
+  for (int turn = 0; turn < 6; ++turn) {
+    EXPECT_EQ(triangles_of_all(l).size(), 4u) << turn;
+    std::rotate(l.begin(), l.begin() + 1, l.end());
+  }
+}
+
 }  // namespace
 }  // namespace blossom
