@@ -189,9 +189,4 @@ std::vector<EdgeRun> edge_runs(const BodyEdges& body, const FilletEdges& edges) 
   return runs;
 }
 
-bool comes_back(const BodyEdges& body, const EdgeRun& run) {
-  return !run.closed && run.edges.size() > 1 &&
-         body.vertex(run.first()).IsSame(body.vertex(run.last()));
-}
-
 }  // namespace blossom::occt

@@ -42,8 +42,4 @@ struct EdgeRun {
 /// direction, and end at all others.
 std::vector<EdgeRun> edge_runs(const BodyEdges& body, const FilletEdges& edges);
 
-/// Whether a run that is not closed ends in the vertex in which it begins, as round the profile of
-/// a wing, whose rear edge is sharp.
-bool comes_back(const BodyEdges& body, const EdgeRun& run);
-
 }  // namespace blossom::occt

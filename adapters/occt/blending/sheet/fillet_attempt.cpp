@@ -39,24 +39,6 @@ FilletAttempt attempt(Filleting& work, const FilletEdges& all, double radius) {
   }
 }
 
-// Where strips of one run cannot end as they should in the vertex in which they meet again, the
-// ball may roll round over it.
-FilletAttempt attempt_or_round(Filleting& work, const FilletEdges& all, double radius) {
-  FilletAttempt made = attempt(work, all, radius);
-  const bool ends_badly = made.why ? made.why->fault == FilletFault::Corner ||
-                                         made.why->fault == FilletFault::End ||
-                                         made.why->fault == FilletFault::LeavesFace
-                                   : made.is_tolerant;
-  if (!ends_badly || !work.may_roll_round(all)) return made;
-  struct RollingRound {
-    Filleting& work;
-    explicit RollingRound(Filleting& of) : work(of) { work.set_rolls_round(true); }
-    ~RollingRound() { work.set_rolls_round(false); }
-  } const rolling(work);
-  FilletAttempt round = attempt(work, all, radius);
-  return round.why || round.is_tolerant ? made : round;
-}
-
 // The chains with edges in which they go on with a bend: all that were not among them.
 FilletEdges with_bends(const BodyEdges& body, const std::vector<FilletEdges>& chains,
                        const FilletEdges& all) try {
@@ -85,7 +67,7 @@ FilletAttempt fillet_attempt(Filleting& work, const std::vector<FilletEdges>& ch
                              double radius) {
   FilletEdges all;
   for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
-  FilletAttempt made = attempt_or_round(work, all, radius);
+  FilletAttempt made = attempt(work, all, radius);
   if (!made.why || made.why->fault == FilletFault::Edge || !work.own().empty()) return made;
   const FilletEdges grown = with_bends(work.body(), chains, all);
   if (grown.size() == all.size()) return made;

@@ -197,17 +197,9 @@ std::vector<BallWalk> Filleting::walks(const FilletEdges& edges) const {
   for (const auto& [edge, concave] : edges) walking.filleted.insert(edge);
   walking.ended_before = ended_before_;
   std::vector<BallWalk> all;
-  for (EdgeRun& run : edge_runs(body_, edges)) {
-    if (rolls_round_ && comes_back(body_, run)) run.closed = true;
+  for (const EdgeRun& run : edge_runs(body_, edges))
     for (BallWalk& walk : ball_walks(body_, run, walking)) all.push_back(std::move(walk));
-  }
   return all;
-}
-
-bool Filleting::may_roll_round(const FilletEdges& edges) const {
-  return !is_chamfer() && std::ranges::any_of(edge_runs(body_, edges), [&](const EdgeRun& run) {
-    return comes_back(body_, run);
-  });
 }
 
 // What was rolled just before is taken, but once only: what is made of it may change its curves.

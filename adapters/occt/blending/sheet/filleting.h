@@ -80,14 +80,6 @@ class Filleting {
   /// Whether volumes are measured as exactly as can be, from now on; else what is made is only
   /// sure to get smaller or larger as it should. Returns what was so before.
   bool set_volumes(bool wanted) { return std::exchange(options_.volumes, wanted); }
-  /// Whether a run of these edges ends in the vertex in which it begins.
-  bool may_roll_round(const FilletEdges& edges) const;
-  /// Whether balls go on over such a vertex, from now on, leaning on the edge that begins there;
-  /// else their strips end in it.
-  void set_rolls_round(bool wanted) {
-    rolls_round_ = wanted;
-    rolled_.reset();
-  }
   /// Of what was made last.
   const std::vector<std::string>& notes() const { return notes_; }
   /// Likewise: whether a blend ends before its edge does, or does not quite meet another one.
@@ -145,7 +137,6 @@ class Filleting {
   std::vector<TopoDS_Face> faces_given_;  // by number
   std::vector<std::string> notes_;
   bool is_tolerant_ = false;
-  bool rolls_round_ = false;
   std::set<int> gone_on_;
   std::set<int> ended_before_;  // edges in which those that are rounded do not go on
   ConeVolumes cones_{Vec3{}};   // over given faces and those of results

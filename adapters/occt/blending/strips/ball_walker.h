@@ -94,7 +94,6 @@ class BallWalker {
   bool holds(const WalkedStrip& of, double t, const ContactCrossing& over) const;
   bool holds_sharp(const WalkedStrip& of, std::size_t place, int step, const WalkExit& end,
                    const ContactCrossing& over) const;
-  bool is_over_vertex() const;
   bool begins_at(int edge, const DirectedEdge& half) const;
   bool is_end_edge(int edge) const;
   double turned_past(const WalkedStrip& of, std::size_t side, const EdgeUseInFace& use,

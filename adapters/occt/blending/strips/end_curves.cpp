@@ -118,12 +118,45 @@ BezierSurface strip_surface(const RolledStrip& strip, const Interval& part,
   return strip.along_u ? extended(surface, none, parts) : extended(surface, parts, none);
 }
 
-// A face's surface near points, and a little beyond its natural borders.
-BezierSurface face_surface(const std::vector<Vec3>& points, const TopoDS_Face& face) {
+// How far points lie past the natural borders of a face's surface, along its tangent planes there,
+// as parts of the outer spans: in u and v, before the start and after the end.
+//
+// converted   the surface; where it goes as far as those borders its outer spans are at them
+std::array<std::array<double, 2>, 2> parts_beyond(const BezierSurface& converted,
+                                                  const TopoDS_Face& face,
+                                                  const std::vector<Vec3>& points) {
+  const SurfaceProjector feet(face, Precision::Confusion());
+  std::array<Interval, 2> bounds;
+  feet.surface()->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
+  const std::array<double, 2> turns = turns_of(feet.surface());
+  std::array<std::array<double, 2>, 2> parts{};
+  for (const Vec3& point : points) {
+    const Vec2 foot = feet.foot(point, std::nullopt);
+    const SurfaceJet frame = frame_at(feet.surface(), foot);
+    const Vec2 there = foot + chart_step(frame, point - frame.point);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (turns[k] > 0) continue;
+      const std::vector<double>& knots = k == 0 ? converted.u_knots : converted.v_knots;
+      const std::size_t last = knots.size() - 1;
+      const double x = there[static_cast<int>(k)];
+      const double first_span = knots[1] - knots[0], last_span = knots[last] - knots[last - 1];
+      parts[k][0] = std::max(parts[k][0], (bounds[k].from - x) / first_span);
+      parts[k][1] = std::max(parts[k][1], (x - bounds[k].to) / last_span);
+    }
+  }
+  return parts;
+}
+
+// A face's surface near points, and a little beyond its natural borders, and beyond where the ends
+// of what is looked for lie past them.
+BezierSurface face_surface(const std::vector<Vec3>& points, const TopoDS_Face& face,
+                           const std::vector<Vec3>& ends = {}) {
   const BezierSurface surface =
       bezier_surface(basis_of(BRep_Tool::Surface(face)), box_near(points, face));
-  const std::array parts{kBeyondBorder, kBeyondBorder};
-  return extended(surface, parts, parts);
+  std::array<std::array<double, 2>, 2> parts = parts_beyond(surface, face, ends);
+  for (std::array<double, 2>& of : parts)
+    for (double& part : of) part += kBeyondBorder;
+  return extended(surface, parts[0], parts[1]);
 }
 
 // A face's surface as far as its trims go, and a little beyond; further where it has no end and no
@@ -279,7 +312,7 @@ std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& 
       const Vec2 uv = strip.chart(t, w);
       points.push_back(vec(strip.surface->Value(uv[0], uv[1]).XYZ()));
     }
-  const BezierSurface on_face = face_surface(points, face);
+  const BezierSurface on_face = face_surface(points, face, {from, to});
   return best_curve(on_face, face, strip_surface(strip, part), strip.bare_face(), from, to, reach);
 }
 

@@ -76,16 +76,7 @@ bool BallWalker::holds_sharp(const WalkedStrip& of, std::size_t place, int step,
                              const WalkExit& end, const ContactCrossing& over) const {
   std::size_t nearest = 0;
   if (!is_before_end(of, place, step, end, nearest) || !leans(over)) return false;
-  const bool is_round =
-      is_over_vertex() && place == (step > 0 ? run_.edges.size() - 1 : std::size_t{0});
-  return is_round || runs_along(of, end.t, over) || !joint_at(over.use->edge, place, step);
-}
-
-// Whether the run is closed over a vertex in which its edges do not go on in each other.
-bool BallWalker::is_over_vertex() const {
-  return run_.closed && run_.edges.size() > 1 &&
-         -dot(direction_at(body_, run_.first()), direction_at(body_, run_.last())) <
-             std::cos(kSmoothJoint);
+  return runs_along(of, end.t, over) || !joint_at(over.use->edge, place, step);
 }
 
 // Of a ball that leans on an edge, where it comes to the next one: in their common vertex, where
