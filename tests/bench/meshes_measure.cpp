@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <utility>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
@@ -48,11 +49,13 @@ std::optional<double> closed_distance(const BRepAdaptor_Surface& surface, const 
                   std::abs(along) * std::sin(std::abs(cone.SemiAngle())));
 }
 
+// The largest of many distances is looked for: what is `enough` or less needs not be known better.
+
 // From a surface, by Newton's method from parameters that are about right.
-double surface_distance(const BRepAdaptor_Surface& surface, const Vec3& p, Vec2 uv) {
+double surface_distance(const BRepAdaptor_Surface& surface, const Vec3& p, Vec2 uv, double enough) {
   if (const auto distance = closed_distance(surface, p)) return *distance;
   double best = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < 8; ++step) {
+  for (int step = 0; step < 8 && best > enough; ++step) {
     gp_Pnt at;
     gp_Vec u, v, uu, vv, uv2;
     surface.D2(uv[0], uv[1], at, u, v, uu, vv, uv2);
@@ -72,8 +75,8 @@ double surface_distance(const BRepAdaptor_Surface& surface, const Vec3& p, Vec2 
 // Newton's method may end beside the nearest point, at poles above all; what is too far is asked
 // again from all starts that Open CASCADE takes.
 double checked_distance(const BRepAdaptor_Surface& surface, const TopoDS_Face& face, const Vec3& p,
-                        const Vec2& uv, double suspect) {
-  const double found = surface_distance(surface, p, uv);
+                        const Vec2& uv, double suspect, double enough) {
+  const double found = surface_distance(surface, p, uv, enough);
   if (found <= suspect) return found;
   const GeomAPI_ProjectPointOnSurf feet(gp_Pnt(p[0], p[1], p[2]), BRep_Tool::Surface(face));
   return feet.NbPoints() > 0 ? std::min(found, feet.LowerDistance()) : found;
@@ -153,14 +156,14 @@ class FaceTriangles {
   }
 
   // Infinite if the face has none.
-  double distance(int face, const Vec3& p) const {
+  double distance(int face, const Vec3& p, double enough) const {
     double near = std::numeric_limits<double>::infinity();  // its square
     trees_[index(face)].for_each_near(p, near, [&](int other) {
       const auto& [x, y, z] = mesh_.triangles[numbers_[index(face)][index(other)]];
       const double gap =
           triangle_gap(p, mesh_.points[index(x)], mesh_.points[index(y)], mesh_.points[index(z)]);
       near = std::min(near, gap * gap);
-      return near;
+      return gap <= enough ? 0 : near;
     });
     return std::sqrt(near);
   }
@@ -199,11 +202,22 @@ double facets_off(const TopTools_IndexedMapOfShape& faces, const FacetMesh& mesh
       const Vec2 uv = mixed(mesh.uv[t][0], mesh.uv[t][1], mesh.uv[t][2]);
       const int face = mesh.face[t];
       most = std::max(most, checked_distance(surfaces[index(face)], TopoDS::Face(faces(face + 1)),
-                                             p, uv, suspect));
-      const double of_finer = near.distance(face, p);
+                                             p, uv, suspect, most));
+      const double of_finer = near.distance(face, p, most + finer.proven);
       if (std::isfinite(of_finer)) most = std::max(most, of_finer - finer.proven);
     }
   return most;
+}
+
+// Of so many corners of equilateral triangles that cover as much as the mesh: each has the area
+// of two of them.
+double spacing(const FacetMesh& mesh, int samples) {
+  double twice_area = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3& from = mesh.points[index(a)];
+    twice_area += norm(cross(mesh.points[index(b)] - from, mesh.points[index(c)] - from));
+  }
+  return std::sqrt(twice_area / (std::sqrt(3.0) * samples));
 }
 
 }  // namespace
@@ -216,17 +230,16 @@ double measured_distance(const TopoDS_Shape& shape, const FacetMesh& mesh, int s
   Bnd_Box box;
   BRepBndLib::Add(shape, box, Standard_False);
   const double coarse = mesh.proven > 0 ? mesh.proven : 1e-3 * std::sqrt(box.SquareExtent());
-  FacetMesh finer;
-  for (double deviation = kFiner * coarse;; deviation /= 4) {
-    finer = our_mesh(shape, {.deviation = deviation, .angle = 0.1});
-    if (static_cast<int>(finer.points.size()) >= samples || deviation < 1e-3 * kFiner * coarse)
-      break;
-  }
+  const FacetMesh finer = our_mesh(
+      shape, {.deviation = kFiner * coarse, .angle = 0.1, .edge_length = spacing(mesh, samples)});
   double most = facets_off(faces, mesh, finer, each);
   const FaceTriangles near(mesh, faces.Extent());
+  // Triangles of a face follow each other: each point is asked about once for each of its faces.
+  std::vector<int> asked(finer.points.size(), -1);
   for (std::size_t t = 0; t < finer.triangles.size(); ++t)
     for (const int corner : finer.triangles[t]) {
-      const double gap = near.distance(finer.face[t], finer.points[index(corner)]);
+      if (std::exchange(asked[index(corner)], finer.face[t]) == finer.face[t]) continue;
+      const double gap = near.distance(finer.face[t], finer.points[index(corner)], most);
       if (std::isfinite(gap)) most = std::max(most, gap);
     }
   return most;
