@@ -22,6 +22,7 @@
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/limits.h"
 #include "adapters/occt/blending/sheet/face_borders.h"
+#include "adapters/occt/blending/sheet/grown_surface.h"
 #include "adapters/occt/blending/sheet/wire_nesting.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/splitting/edge_images.h"
@@ -224,8 +225,11 @@ void Trimming::add_faces(const FaceBorder& border, std::vector<TrimmedFace>& all
 std::vector<TrimmedFace> Trimming::faces() {
   std::vector<TrimmedFace> all;
   const std::set<int> touched = touched_faces();
-  for (const int number : touched)
-    add_border(edges_left(number), body_.face(number), body_.trims(number).scale, number, 0);
+  for (const int number : touched) {
+    const std::vector<TopoDS_Edge> edges = edges_left(number);
+    add_border(edges, grown_to_edges(body_.face(number), edges), body_.trims(number).scale, number,
+               0);
+  }
   for (const BlendPatch& patch : sheet_.patches()) {
     const bool reversed = patch.face.Orientation() == TopAbs_REVERSED;
     std::vector<TopoDS_Edge> edges;

@@ -7,11 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
@@ -36,8 +36,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr int kFootSamples = 5;   // a side, of the strip's part whose feet bound what is searched
-constexpr double kTurnAt = 1e-3;  // of an edge: so far from its end the turn of its faces is taken
+constexpr int kFootSamples = 5;  // a side, of the strip's part whose feet bound what is searched
 // Of a span, or of the way across a strip: how far surfaces go on past their borders.
 constexpr double kBeyondBorder = 0.125;
 // Of a face's length, of planes and cylinders, which nothing limits. A choice: a strip's end goes
@@ -118,18 +117,20 @@ BezierSurface strip_surface(const RolledStrip& strip, const Interval& part,
   return strip.along_u ? extended(surface, none, parts) : extended(surface, parts, none);
 }
 
-// How far points lie past the natural borders of a face's surface, along its tangent planes there,
-// as parts of the outer spans: in u and v, before the start and after the end.
+// How far points lie past the natural borders of a face's surface, if that is a spline, along its
+// tangent planes there, as parts of the outer spans: in u and v, before the start and after the
+// end.
 //
 // converted   the surface; where it goes as far as those borders its outer spans are at them
 std::array<std::array<double, 2>, 2> parts_beyond(const BezierSurface& converted,
                                                   const TopoDS_Face& face,
                                                   const std::vector<Vec3>& points) {
+  std::array<std::array<double, 2>, 2> parts{};
   const SurfaceProjector feet(face, Precision::Confusion());
+  if (Handle(Geom_BSplineSurface)::DownCast(feet.surface()).IsNull()) return parts;
   std::array<Interval, 2> bounds;
   feet.surface()->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
   const std::array<double, 2> turns = turns_of(feet.surface());
-  std::array<std::array<double, 2>, 2> parts{};
   for (const Vec3& point : points) {
     const Vec2 foot = feet.foot(point, std::nullopt);
     const SurfaceJet frame = frame_at(feet.surface(), foot);
@@ -193,69 +194,23 @@ Near near_point(const Handle(Geom_Curve) & curve, const Interval& range, const V
   return {t, distance(vec(curve->Value(t).XYZ()), point)};
 }
 
-// An exact image where the curve is a conic and Open CASCADE knows it, else the fitted one.
+// An exact image where the curve is a conic and Open CASCADE knows it, else the fitted one. Past
+// the natural border of a surface, where feet end, only that one goes on.
 Handle(Geom2d_Curve)
     exact_chart(const IntersectionCurve& found, const Spline2& fitted,
                 const Handle(Geom_Curve) & curve, const Interval& range, const TopoDS_Face& face) {
   if (!found.conic) return to_occt(fitted);
   const SurfaceProjector feet(face, Precision::Confusion());
   try {
-    return image_of(curve, range, feet, point_at(fitted, at(range, 0.5)), Precision::Confusion())
-        .chart;
+    const ChartImage image =
+        image_of(curve, range, feet, point_at(fitted, at(range, 0.5)), Precision::Confusion());
+    if (image.deviation <= Precision::Confusion()) return image.chart;
   } catch (const Failure&) {  // it goes over the seam of a surface that has no period
-    return to_occt(fitted);
   }
-}
-
-// How far the faces beside an edge are apart at a place of it, across them.
-double gap_at(const BodyEdges& body, int edge, double parameter) {
-  std::array<Vec3, 2> on;
-  for (const bool forward : {true, false}) {
-    const EdgeUseInFace& use = body.use(edge, forward);
-    const Vec2 chart = point_at(use.coedge->curve, parameter), scale = body.trims(use.face).scale;
-    const gp_Pnt point =
-        BRep_Tool::Surface(body.face(use.face))->Value(chart[0] / scale[0], chart[1] / scale[1]);
-    on[forward ? 0 : 1] = {point.X(), point.Y(), point.Z()};
-  }
-  return std::abs(dot(on[0] - on[1], body.corner(body.use(edge, true), parameter).normal));
+  return to_occt(fitted);
 }
 
 }  // namespace
-
-// With x along the edge and y across it, the faces at its end turn against each other by a x, so
-// that offsets of theirs are a x y apart, to within e: the tolerance, or what the faces are apart
-// there. Where that is 0 may be sqrt(2 e / a) beside the vertex, and at most at the middle of the
-// edge: beyond it is its other end. At a distance d the faces turn by a d.
-std::optional<NarrowEnd> narrow_end(const BodyEdges& body, const RolledStrip& strip,
-                                    const DirectedEdge& half, double tolerance) {
-  double first = 0, last = 0;
-  BRep_Tool::Range(body.edge(half.edge), first, last);
-  const double end = half.at_start ? first : last;
-  const double beside = std::lerp(end, half.at_start ? last : first, kTurnAt);
-  const auto turn = [&](double x) {
-    const Vec3 a = body.corner(body.use(half.edge, true), x).normal;
-    const Vec3 b = body.corner(body.use(half.edge, false), x).normal;
-    return std::atan2(norm(cross(a, b)), dot(a, b));
-  };
-  if (turn(end) >= kSmoothEdge) return std::nullopt;
-  const TopoDS_Vertex vertex = body.vertex(half);
-  const Vec3 place = point_of(vertex);
-  const double rate =
-      turn(beside) / distance(body.corner(body.use(half.edge, true), beside).point, place);
-  const double apart = std::max(tolerance, gap_at(body, half.edge, end));
-  NarrowEnd found;
-  found.t = nearest_on(strip.contacts[0].curve, strip.range, place);
-  const double half_way = 0.5 * edge_length(body.edge(half.edge));
-  found.room = std::max(BRep_Tool::Tolerance(vertex),
-                        std::min(half_way, std::sqrt(2 * kSamePlace * apart / rate)));
-  const auto contact = [&](std::size_t side) {
-    return vec(strip.contacts[side].curve->Value(found.t));
-  };
-  found.off = std::max(distance(contact(0), place), distance(contact(1), place));
-  const double most = kSamePlace * apart + strip.radius * rate * found.off;
-  if (!(found.off <= found.room) || distance(contact(0), contact(1)) > most) return std::nullopt;
-  return found;
-}
 
 std::vector<EdgeThrough> edge_through(const RolledStrip& strip, const Interval& part,
                                       const BodyEdges& body, int edge) {
@@ -354,13 +309,18 @@ std::optional<double> contact_through(const RolledStrip& of, std::size_t side, d
       for (const Vec3& axis : {Vec3{room, 0, 0}, Vec3{0, room, 0}, Vec3{0, 0, room}})
         points.push_back(point + axis);
   }
+  // The face may have to go on as far as the contact does past the end of the edge.
+  const double room = std::min(std::abs(near - part.from), std::abs(part.to - near));
+  std::vector<Vec3> ends;
+  for (const double t : {near - room, near, near + room})
+    ends.push_back(vec(contact->Value(std::clamp(t, part.from, part.to))));
   TopoDS_Edge edge;
   BRep_Builder builder;
   builder.MakeEdge(edge, contact, Precision::Confusion());
   builder.Range(edge, part.from, part.to);
   std::optional<double> best;
   for (const CurveSurfacePoint& each :
-       intersect(bezier_spans(edge), face_surface(points, face)).points)
+       intersect(bezier_spans(edge), face_surface(points, face, ends)).points)
     if (!best || std::abs(each.t - near) < std::abs(*best - near)) best = each.t;
   return best;
 }
@@ -485,8 +445,9 @@ std::optional<EndCurve> wall_curve_between(const TopoDS_Face& wall, const TopoDS
     points.push_back(middle + sign * half);
     points.push_back(middle + sign * aside);
   }
-  return best_curve(face_surface(points, face), face, face_surface(points, wall), wall, from, to,
-                    reach);
+  const std::vector<Vec3> ends{from, to};
+  return best_curve(face_surface(points, face, ends), face, face_surface(points, wall, ends), wall,
+                    from, to, reach);
 }
 
 }  // namespace blossom::occt
