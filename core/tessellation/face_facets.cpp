@@ -25,7 +25,7 @@ constexpr double kNearPoint = 0.55;
 constexpr double kNearSide = 0.4;
 // Of the distance of a border from its chord: so far points are from the chord at least.
 constexpr double kSagitta = 2.5;
-// Of the deviation: borders are not made shorter than this to undo folds.
+// Of the deviation: sides are not made shorter than this to undo folds.
 constexpr double kShortFold = 0.5;
 // In facets: so long may borders be, where these have an aspect. Halves are not too short then.
 constexpr double kLongBorder = 1.5;
@@ -226,13 +226,17 @@ class FacetBuilder {
       const double far = rough_distance({a, b, b});
       if (far <= most) continue;
       most = far;
-      const Vec2 from = scaled(uv_of(face, k + 1)), to = scaled(uv_of(face, k + 2));
-      const bool flat = norm(scaled(uv_of(face, k)) - 0.5 * (from + to)) < kFlat * norm(to - from);
-      const Face& across = mesh.faces()[index(face.beside[k])];
-      best = flat && across.inside ? middle_of(across)
-                                   : 0.5 * (uv_of(face, k + 1) + uv_of(face, k + 2));
+      best = place_on_side(mesh, face, k);
     }
     return best;
+  }
+
+  Vec2 place_on_side(const ConstrainedDelaunay& mesh, const Face& face, std::size_t k) const {
+    const Vec2 from = scaled(uv_of(face, k + 1)), to = scaled(uv_of(face, k + 2));
+    const bool flat = norm(scaled(uv_of(face, k)) - 0.5 * (from + to)) < kFlat * norm(to - from);
+    const Face& across = mesh.faces()[index(face.beside[k])];
+    return flat && across.inside ? middle_of(across)
+                                 : 0.5 * (uv_of(face, k + 1) + uv_of(face, k + 2));
   }
 
   static std::vector<int> faces_inside(const ConstrainedDelaunay& mesh) {
@@ -251,7 +255,8 @@ class FacetBuilder {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::optional<FacetSide> side = common_side(face, k);
         if (!side || !side->across || !parted_.contains(side->ends)) continue;
-        const int made = add_inner(mesh, 0.5 * (uv_of(face, k + 1) + uv_of(face, k + 2)), number);
+        const int made = add_near(mesh, 0.5 * (uv_of(face, k + 1) + uv_of(face, k + 2)), number);
+        if (made == ConstrainedDelaunay::kNone) continue;
         mesh.for_each_face_at(made, [&](int changed) { open.push_back(changed); });
         break;
       }
@@ -276,22 +281,60 @@ class FacetBuilder {
       open.pop_back();
       const double far = distance_of(face.corner);
       far_[index(number)] = far;
-      if (far <= surface_.allowed() || corners_.is_small(face.corner) ||
+      const bool is_far = far > surface_.allowed();
+      if ((!is_far && !folds_inside(face)) || corners_.is_small(face.corner) ||
           corners_.is_flat(face.corner))
         continue;
-      if (divides_borders_ && note_flat_over_border(face)) continue;
-      const Vec2 uv = dividing_point(mesh, face);
-      // Rounding may put it a little beside the face.
-      const int found = mesh.locate(scaled(uv));
-      const int holder = mesh.faces()[index(found)].inside ? found : number;
-      if (std::ranges::any_of(mesh.faces()[index(holder)].corner,
-                              [&](int corner) { return mesh.point(corner) == scaled(uv); }))
-        continue;
-      const int made = add_inner(mesh, uv, holder);
+      if (is_far && divides_borders_ && note_flat_over_border(face)) continue;
+      const Vec2 uv = is_far ? dividing_point(mesh, face) : place_on_most_bent_side(mesh, face);
+      const int made = add_near(mesh, uv, number);
+      if (made == ConstrainedDelaunay::kNone) continue;
       far_.resize(mesh.faces().size());
       if (mesh.faces()[index(number)].corner == face.corner) open.push_back(number);
       mesh.for_each_face_at(made, [&](int changed) { open.push_back(changed); });
     }
+  }
+
+  // Adds a point in or beside a face, where rounding may put it; in the middle of the face, if that
+  // is past a border or on it. kNone if no such point can be told from those that are there.
+  int add_near(ConstrainedDelaunay& mesh, const Vec2& uv, int number) {
+    for (const Vec2& place : {uv, middle_of(mesh.faces()[index(number)])}) {
+      const int holder = mesh.locate(scaled(place));
+      if (mesh.may_insert(scaled(place), holder)) return add_inner(mesh, place, holder);
+    }
+    return ConstrainedDelaunay::kNone;
+  }
+
+  // Where parameters turn round in space within little, as in the sections of a pipe, a facet may
+  // be near to the surface and turned over: its corners are beside each other along the surface
+  // otherwise than in the parameters, whose second derivatives within the surface count in no
+  // distance. They do so by the square of a side: half as long sides are turned less. Beside
+  // borders it is these that are divided, see folding_sides.
+  bool folds_inside(const Face& face) const {
+    return std::ranges::find(face.fixed, true) == face.fixed.end() && is_long(face.corner) &&
+           corners_.is_folded(face.corner);
+  }
+
+  bool is_long(const FacetTriangle& facet) const {
+    return corners_.longest_side(facet) > kShortFold * options_.deviation;
+  }
+
+  // On the side over which parameters turn most: its middle is farthest from where it is in the
+  // parameters.
+  Vec2 place_on_most_bent_side(const ConstrainedDelaunay& mesh, const Face& face) const {
+    double most = -1;
+    std::size_t bent = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const FaceCorner& a = corners_[face.corner[(k + 1) % 3]];
+      const FaceCorner& b = corners_[face.corner[(k + 2) % 3]];
+      const double off =
+          distance(surface_.frame_at(0.5 * (a.uv + b.uv)).point, 0.5 * (a.point + b.point));
+      const int from = face.corner[(k + 1) % 3], to = face.corner[(k + 2) % 3];
+      if (off <= most || !is_long({from, to, to})) continue;
+      most = off;
+      bent = k;
+    }
+    return place_on_side(mesh, face, bent);
   }
 
   // A facet that is too far and flat over a border is as far as that along its own normal, which is
@@ -335,8 +378,7 @@ class FacetBuilder {
         if (!face.fixed[(k + 2) % 3] || !face.inside) continue;
         const std::optional<EdgeSegment> segment = segment_of(from, to);
         if (!segment) continue;
-        if (distance(corners_[from].point, corners_[to].point) > kShortFold * options_.deviation)
-          splits.push_back(*segment);
+        if (is_long({from, to, to})) splits.push_back(*segment);
       }
     };
     for (const Face& face : mesh.faces()) {

@@ -97,6 +97,14 @@ bool FacetCorners::is_flat(const FacetTriangle& facet) const {
   return false;
 }
 
+double FacetCorners::longest_side(const FacetTriangle& facet) const {
+  double most = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    most = std::max(
+        most, distance(corners_[index(facet[k])].point, corners_[index(facet[(k + 1) % 3])].point));
+  return most;
+}
+
 bool FacetCorners::is_folded(const FacetTriangle& facet) const {
   return dot(area_of(facet), normal_at(facet)) < 0;
 }

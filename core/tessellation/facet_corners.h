@@ -76,6 +76,9 @@ class FacetCorners {
   /// Whether two corners are one point in space.
   bool is_flat(const FacetTriangle& facet) const;
 
+  /// In space.
+  double longest_side(const FacetTriangle& facet) const;
+
   /// Whether it is turned from the surface's normal by more than a right angle.
   bool is_folded(const FacetTriangle& facet) const;
 

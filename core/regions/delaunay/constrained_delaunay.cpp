@@ -130,6 +130,17 @@ int ConstrainedDelaunay::locate(const Vec2& point) {
   return last_ = static_cast<int>(std::ranges::find_if(faces_, holds) - faces_.begin());
 }
 
+bool ConstrainedDelaunay::may_insert(const Vec2& point, int face) const {
+  const Face& f = faces_[at(face)];
+  if (!f.inside) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 &a = points_[at(f.corner[next(k)])], &b = points_[at(f.corner[previous(k)])];
+    const int side = orientation(a, b, point);
+    if (side < 0 || (side == 0 && f.fixed[k]) || a == point) return false;
+  }
+  return true;
+}
+
 int ConstrainedDelaunay::insert(const Vec2& point, int face) {
   points_.push_back(point);
   face_at_.push_back(face);

@@ -50,6 +50,9 @@ class ConstrainedDelaunay {
   /// A face that holds the point, by a walk from the one that was made or found last.
   int locate(const Vec2& point);
 
+  /// Whether a point lies in that face of the region, on no fixed side and in no corner.
+  bool may_insert(const Vec2& point, int face) const;
+
   /// Adds a point, which lies in that face and on no fixed side. Faces that change have it for a
   /// corner. The number of the point.
   /// throws   InvalidInput if it is a corner of the face
