@@ -226,17 +226,13 @@ class FacetBuilder {
       const double far = rough_distance({a, b, b});
       if (far <= most) continue;
       most = far;
-      best = place_on_side(mesh, face, k);
+      const Vec2 from = scaled(uv_of(face, k + 1)), to = scaled(uv_of(face, k + 2));
+      const bool flat = norm(scaled(uv_of(face, k)) - 0.5 * (from + to)) < kFlat * norm(to - from);
+      const Face& across = mesh.faces()[index(face.beside[k])];
+      best = flat && across.inside ? middle_of(across)
+                                   : 0.5 * (uv_of(face, k + 1) + uv_of(face, k + 2));
     }
     return best;
-  }
-
-  Vec2 place_on_side(const ConstrainedDelaunay& mesh, const Face& face, std::size_t k) const {
-    const Vec2 from = scaled(uv_of(face, k + 1)), to = scaled(uv_of(face, k + 2));
-    const bool flat = norm(scaled(uv_of(face, k)) - 0.5 * (from + to)) < kFlat * norm(to - from);
-    const Face& across = mesh.faces()[index(face.beside[k])];
-    return flat && across.inside ? middle_of(across)
-                                 : 0.5 * (uv_of(face, k + 1) + uv_of(face, k + 2));
   }
 
   static std::vector<int> faces_inside(const ConstrainedDelaunay& mesh) {
@@ -255,7 +251,7 @@ class FacetBuilder {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::optional<FacetSide> side = common_side(face, k);
         if (!side || !side->across || !parted_.contains(side->ends)) continue;
-        const int made = add_near(mesh, 0.5 * (uv_of(face, k + 1) + uv_of(face, k + 2)), number);
+        const int made = add_near(mesh, 0.5 * (uv_of(face, k + 1) + uv_of(face, k + 2)));
         if (made == ConstrainedDelaunay::kNone) continue;
         mesh.for_each_face_at(made, [&](int changed) { open.push_back(changed); });
         break;
@@ -286,8 +282,9 @@ class FacetBuilder {
           corners_.is_flat(face.corner))
         continue;
       if (is_far && divides_borders_ && note_flat_over_border(face)) continue;
-      const Vec2 uv = is_far ? dividing_point(mesh, face) : place_on_most_bent_side(mesh, face);
-      const int made = add_near(mesh, uv, number);
+      const Vec2 uv = is_far ? dividing_point(mesh, face) : middle_of_most_bent_side(face);
+      if (!is_far && is_crowded(mesh, uv)) continue;
+      const int made = add_near(mesh, uv);
       if (made == ConstrainedDelaunay::kNone) continue;
       far_.resize(mesh.faces().size());
       if (mesh.faces()[index(number)].corner == face.corner) open.push_back(number);
@@ -295,14 +292,12 @@ class FacetBuilder {
     }
   }
 
-  // Adds a point in or beside a face, where rounding may put it; in the middle of the face, if that
-  // is past a border or on it. kNone if no such point can be told from those that are there.
-  int add_near(ConstrainedDelaunay& mesh, const Vec2& uv, int number) {
-    for (const Vec2& place : {uv, middle_of(mesh.faces()[index(number)])}) {
-      const int holder = mesh.locate(scaled(place));
-      if (mesh.may_insert(scaled(place), holder)) return add_inner(mesh, place, holder);
-    }
-    return ConstrainedDelaunay::kNone;
+  // Adds a point in a face, or beside it, where rounding may put it; kNone if that is past a
+  // border, on one, or in a point that is there.
+  int add_near(ConstrainedDelaunay& mesh, const Vec2& uv) {
+    const int holder = mesh.locate(scaled(uv));
+    return mesh.may_insert(scaled(uv), holder) ? add_inner(mesh, uv, holder)
+                                               : ConstrainedDelaunay::kNone;
   }
 
   // Where parameters turn round in space within little, as in the sections of a pipe, a facet may
@@ -319,22 +314,31 @@ class FacetBuilder {
     return corners_.longest_side(facet) > kShortFold * options_.deviation;
   }
 
-  // On the side over which parameters turn most: its middle is farthest from where it is in the
+  // Of the side over which parameters turn most: there it is farthest from where it is in the
   // parameters.
-  Vec2 place_on_most_bent_side(const ConstrainedDelaunay& mesh, const Face& face) const {
+  Vec2 middle_of_most_bent_side(const Face& face) const {
     double most = -1;
-    std::size_t bent = 0;
+    Vec2 best;
     for (std::size_t k = 0; k < 3; ++k) {
-      const FaceCorner& a = corners_[face.corner[(k + 1) % 3]];
-      const FaceCorner& b = corners_[face.corner[(k + 2) % 3]];
-      const double off =
-          distance(surface_.frame_at(0.5 * (a.uv + b.uv)).point, 0.5 * (a.point + b.point));
       const int from = face.corner[(k + 1) % 3], to = face.corner[(k + 2) % 3];
+      const FaceCorner &a = corners_[from], &b = corners_[to];
+      const Vec2 middle = 0.5 * (a.uv + b.uv);
+      const double off = distance(surface_.frame_at(middle).point, 0.5 * (a.point + b.point));
       if (off <= most || !is_long({from, to, to})) continue;
       most = off;
-      bent = k;
+      best = middle;
     }
-    return place_on_side(mesh, face, bent);
+    return best;
+  }
+
+  // Whether a place is as near to a corner of the face that holds it as halves of the shortest
+  // sides are that get divided: so points that are added cannot crowd, as at a pole.
+  bool is_crowded(ConstrainedDelaunay& mesh, const Vec2& uv) const {
+    const Vec3 place = surface_.frame_at(uv).point;
+    const Face& holder = mesh.faces()[index(mesh.locate(scaled(uv)))];
+    return std::ranges::any_of(holder.corner, [&](int corner) {
+      return distance(corners_[corner].point, place) < 0.5 * kShortFold * options_.deviation;
+    });
   }
 
   // A facet that is too far and flat over a border is as far as that along its own normal, which is
