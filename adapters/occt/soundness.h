@@ -38,7 +38,7 @@ struct Problem {
 using CheckRunner = std::function<bool(const std::string& what, const std::function<void()>& work)>;
 
 /// What is said of a face, shell or solid whose check was left out.
-inline constexpr const char* kUnchecked = "Open CASCADE's check of it crashes or never ends";
+inline constexpr const char* kUnchecked = "its check crashes or takes too long";
 
 /// What a face's geometry and Open CASCADE's BRepCheck say against it, in words; none if valid.
 /// forms   where the form that the face was converted to is kept for later
