@@ -97,12 +97,12 @@ void check_weight(double weight, const std::string& what) {
     throw BadModel(what + " is " + std::to_string(weight) + ", weights must be positive");
 }
 
-void Weights::add(double weight) {
+void WeightRange::add(double weight) {
   least_ = std::min(least_, weight);
   most_ = std::max(most_, weight);
 }
 
-void Weights::check_range() const {
+void WeightRange::check() const {
   if (!(std::numeric_limits<double>::epsilon() * most_ > least_)) return;
   std::ostringstream text;
   text << "its weights go from " << least_ << " to " << most_

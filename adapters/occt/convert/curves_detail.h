@@ -63,13 +63,13 @@ void check_finite(const gp_XYZ& point, const std::string& what);
 void check_weight(double weight, const std::string& what);
 
 /// The weights of one curve or surface.
-class Weights {
+class WeightRange {
  public:
   void add(double weight);
 
   /// throws   BadModel if the lightest point is lost in the roundings of the heaviest: what lies
   ///          between them then is no place that double precision can tell
-  void check_range() const;
+  void check() const;
 
  private:
   double least_ = std::numeric_limits<double>::infinity();

@@ -109,7 +109,7 @@ CurveSpans spans_of(const Handle(Geom_Curve) & curve, const Interval& range, dou
 template <class Curve>
 void check_poles(const Curve& curve) {
   const bool rational = curve.IsRational();
-  Weights weights;
+  WeightRange weights;
   for (int i = 1; i <= curve.NbPoles(); ++i) {
     const gp_XYZ pole = curve.Pole(i).XYZ();
     if (!is_bounded(pole)) check_bounded(pole, "control point " + std::to_string(i));
@@ -118,7 +118,7 @@ void check_poles(const Curve& curve) {
     if (!(weight > 0 && std::isfinite(weight))) check_weight(weight, "weight " + std::to_string(i));
     weights.add(weight);
   }
-  weights.check_range();
+  weights.check();
 }
 
 // (wx, wy, 0, w); numbers that are not finite are refused where curves are checked.

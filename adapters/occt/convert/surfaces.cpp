@@ -71,7 +71,7 @@ BezierSurface patches_of(const Handle(Geom_Surface) & surface, const ParameterBo
 template <class Surface>
 void check_surface_poles(const Surface& surface) {
   const bool rational = surface.IsURational() || surface.IsVRational();
-  Weights weights;
+  WeightRange weights;
   for (int i = 1; i <= surface.NbUPoles(); ++i)
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
       const gp_XYZ pole = surface.Pole(i, j).XYZ();
@@ -82,7 +82,7 @@ void check_surface_poles(const Surface& surface) {
       check_bounded(pole, "control point" + place);
       check_weight(weight, "weight" + place);
     }
-  weights.check_range();
+  weights.check();
 }
 
 void check_knots(const Geom_BSplineSurface& surface) {

@@ -52,7 +52,7 @@ void check_face(const TopoDS_Face& face, const NumberSource& source) {
 }
 
 void check_planar_numbers(const Geom2d_Curve& curve) {
-  Weights weights;
+  WeightRange weights;
   const auto check = [&](const gp_Pnt2d& point, double weight) {
     check_finite({point.X(), point.Y(), 0}, "a point of its curve in a face's parameters");
     check_weight(weight, "a weight of its curve in a face's parameters");
@@ -72,7 +72,7 @@ void check_planar_numbers(const Geom2d_Curve& curve) {
   } else {
     check(curve.Value(0.5), 1);
   }
-  weights.check_range();
+  weights.check();
 }
 
 void check_range(double first, double last) {
