@@ -9,18 +9,12 @@
 
 #include "core/math/binomial.h"
 #include "core/tessellation/shape_facets.h"
+#include "tests/support/region_lines.h"
 
 namespace blossom {
 namespace {
 
-RegionBorder band_side(const Vec2& a, const Vec2& b, int from, int to, bool reversed = false) {
-  RegionBorder border;
-  border.curve = planar_line(a, b, {0, 1});
-  border.reversed = reversed;
-  border.from = from;
-  border.to = to;
-  return border;
-}
+using testing::line;
 
 // Of polynomials by their Bezier points.
 std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b) {
@@ -78,9 +72,8 @@ ShapeModel sliding(double length) {
   ModelFace face;
   face.surface = surface;
   face.chart.corners = {{0, 0}, {1, 0}, {1, 20}, {0, 20}};
-  face.chart.borders = {band_side({0, 0}, {1, 0}, 0, 1), band_side({1, 0}, {1, 20}, 1, 2),
-                        band_side({0, 20}, {1, 20}, 2, 3, true),
-                        band_side({0, 0}, {0, 20}, 3, 0, true)};
+  face.chart.borders = {line({0, 0}, {1, 0}, 0, 1), line({1, 0}, {1, 20}, 1, 2),
+                        line({0, 20}, {1, 20}, 2, 3, true), line({0, 0}, {0, 20}, 3, 0, true)};
   face.chart.borders[1].curve = planar_line({1, 0}, {1, 20}, {0, 20});
   face.chart.borders[3].curve = planar_line({0, 0}, {0, 20}, {0, 20});
   face.edges = {0, 1, 2, 3};

@@ -12,20 +12,14 @@
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 #include "tests/support/random.h"
+#include "tests/support/region_lines.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-RegionBorder line(const Vec2& a, const Vec2& b, int from, int to, bool reversed = false) {
-  RegionBorder border;
-  border.curve = planar_line(a, b, {0, 1});
-  border.reversed = reversed;
-  border.from = from;
-  border.to = to;
-  return border;
-}
+using testing::line;
 
 CurveSpans straight(const Vec3& a, const Vec3& b) { return curve_spans(BezierCurve{{a, b}}); }
 
