@@ -35,6 +35,17 @@ constexpr std::size_t kMaxSpans = 96;
 /// Rounds of halving.
 constexpr int kMaxRounds = 8;
 
+/// Halving a span halves the error at a kink, and takes a root's to 0.71 of it; that of a jump
+/// remains, but also that of a crest that is far narrower than the span.
+constexpr double kLessened = 0.75;
+
+/// Bisections of what lies between two samples, after which it is as narrow as between those of the
+/// smallest patches that there can be: what differs there as before is a jump to all of them.
+constexpr int kBisections = kMaxRounds;
+
+/// Those between all samples of a curve, which make a jump of an eighth of the error stand out.
+constexpr int kFirstBisections = 3;
+
 /// Local parameters of the nodes in [0, 1].
 const std::vector<double>& fit_nodes() {
   static const std::vector<double> nodes = [] {
@@ -197,7 +208,59 @@ struct PatchError {
   double all = 0;
   double u = 0;
   double v = 0;
+  Vec2 worst{};  ///< local parameters of the sample that is off most
 };
+
+/// Two places on a curve, and what it is off by there.
+struct Step {
+  Interval places;
+  Vec3 from, to;
+
+  double height() const { return distance(from, to); }
+
+  void keep_steeper_half(const std::function<Vec3(double)>& error) {
+    const double middle = at(places, 0.5);
+    const Vec3 between = error(middle);
+    const bool first = distance(from, between) > distance(between, to);
+    (first ? places.to : places.from) = middle;
+    (first ? to : from) = between;
+  }
+};
+
+/// By how much values jump. Halving a step between samples
+/// takes half of its height where the error is smooth, nothing where it jumps: after a few halvings
+/// the highest step has the jump in it.
+///
+/// fitted   the curve that is off by the error, in [0, 1]
+double jump_along(const std::function<Vec3(double)>& value, const FitPoints& fitted) {
+  const auto error = [&](double t) { return value(t) - head(casteljau(fitted, t)); };
+  std::array<Step, 2 * kNodeDegree> steps;
+  double before = 0;
+  Vec3 last = error(before);
+  for (int i = 0; i < 2 * kNodeDegree; ++i) {
+    const double t = i % 2 == 0 ? between_nodes(i / 2) : node(i / 2 + 1);
+    const Vec3 here = error(t);
+    steps[static_cast<std::size_t>(i)] = {{before, t}, last, here};
+    before = t;
+    last = here;
+  }
+  for (Step& step : steps)
+    for (int i = 0; i < kFirstBisections; ++i) step.keep_steeper_half(error);
+  Step highest = *std::ranges::max_element(steps, {}, &Step::height);
+  for (int i = kFirstBisections; i < kBisections; ++i) highest.keep_steeper_half(error);
+  return highest.height();
+}
+
+/// The curve of a patch at a local parameter in the other direction.
+FitPoints curve_of(const RationalBezierPatch& patch, double other, bool along_u) {
+  FitPoints curve{}, across{};
+  for (int i = 0; i <= kNodeDegree; ++i) {
+    for (int j = 0; j <= kNodeDegree; ++j)
+      across[static_cast<std::size_t>(j)] = along_u ? patch.points(i, j) : patch.points(j, i);
+    curve[static_cast<std::size_t>(i)] = casteljau(across, other);
+  }
+  return curve;
+}
 
 class SurfaceFit {
  public:
@@ -207,13 +270,17 @@ class SurfaceFit {
   BezierSurface run(std::vector<double> u_knots, std::vector<double> v_knots) const {
     Pieces pieces;
     BezierSurface result;
+    double tolerance = tolerance_;
     for (int round = 0;; ++round) {
       pieces = fitted(u_knots, v_knots, result, std::move(pieces));
       result.u_knots = u_knots;
       result.v_knots = v_knots;
+      // No patch is nearer to a jump than half of it, and errors are of the whole surface.
+      for (const Piece& piece : pieces.values())
+        tolerance = std::max(tolerance, kErrorSafety * piece.jump);
       Cuts u_cuts, v_cuts;
-      result.error = find_cuts(pieces, u_knots, v_knots, u_cuts, v_cuts);
-      if (result.error <= tolerance_ || round == kMaxRounds) break;
+      result.error = find_cuts(pieces, tolerance, u_knots, v_knots, u_cuts, v_cuts);
+      if (result.error <= tolerance || round == kMaxRounds) break;
       const bool more_u = add(u_cuts, u_knots), more_v = add(v_cuts, v_knots);
       if (!more_u && !more_v) break;
     }
@@ -230,6 +297,8 @@ class SurfaceFit {
   struct Piece {
     RationalBezierPatch patch;
     PatchError error;
+    double jump =
+        0;  ///< by which the surface jumps in it, where halving has not lessened the error
   };
   using Pieces = Grid<Piece>;
 
@@ -276,6 +345,29 @@ class SurfaceFit {
     return kept;
   }
 
+  /// The span of `before` in which that of `knots` lies.
+  static int span_around(const std::vector<double>& before, double from) {
+    return static_cast<int>(std::ranges::upper_bound(before, from) - before.begin()) - 1;
+  }
+
+  /// before   that it is a part of; may be null
+  Piece new_piece(const Interval& u, const Interval& v, const Piece* before) const {
+    Piece piece;
+    piece.patch = patch(u, v);
+    piece.error = error_of(piece.patch, u, v);
+    const double error = piece.error.all;
+    if (before == nullptr || kErrorSafety * error <= tolerance_) return piece;
+    if (before->jump == 0 && error <= kLessened * before->error.all) return piece;
+    const double worst_u = piece.error.worst[0], worst_v = piece.error.worst[1];
+    const double jump =
+        std::max(jump_along([&, v = at(v, worst_v)](double t) { return value_(at(u, t), v); },
+                            curve_of(piece.patch, worst_v, true)),
+                 jump_along([&, u = at(u, worst_u)](double t) { return value_(u, at(v, t)); },
+                            curve_of(piece.patch, worst_u, false)));
+    if (2 * jump >= error) piece.jump = jump;  // else the jump is not what the piece is off by
+    return piece;
+  }
+
   /// The pieces between the knots; those that were there `before` are taken over.
   Pieces fitted(const std::vector<double>& u, const std::vector<double>& v,
                 const BezierSurface& before, Pieces pieces) const {
@@ -290,9 +382,12 @@ class SurfaceFit {
           result(r, c) = std::move(pieces(row, column));
           continue;
         }
-        Piece& piece = result(r, c);
-        piece.patch = patch(span(u, r), span(v, c));
-        piece.error = error_of(piece.patch, span(u, r), span(v, c));
+        const Interval its_u = span(u, r), its_v = span(v, c);
+        const Piece* const around = pieces.empty()
+                                        ? nullptr
+                                        : &pieces(span_around(before.u_knots, its_u.from),
+                                                  span_around(before.v_knots, its_v.from));
+        result(r, c) = new_piece(its_u, its_v, around);
       }
     return result;
   }
@@ -325,7 +420,10 @@ class SurfaceFit {
       for (int j = 0; j < kPatchSamples; ++j) {
         if (is_node(i) && is_node(j)) continue;
         const double gap = distance(samples(i, j), value_(at(u, sample(i)), at(v, sample(j))));
-        error.all = std::max(error.all, gap);
+        if (gap > error.all) {
+          error.all = gap;
+          error.worst = {sample(i), sample(j)};
+        }
         // On lines through nodes the interpolation errs in one direction alone.
         if (is_node(j)) error.u = std::max(error.u, gap);
         if (is_node(i)) error.v = std::max(error.v, gap);
@@ -333,9 +431,11 @@ class SurfaceFit {
     return error;
   }
 
-  /// The middles of spans that miss the tolerance; returns the largest error, with safety.
-  double find_cuts(const Pieces& pieces, const std::vector<double>& u_knots,
-                   const std::vector<double>& v_knots, Cuts& u_cuts, Cuts& v_cuts) const {
+  /// The middles of spans that miss the tolerance without a jump; returns the largest error, with
+  /// safety.
+  static double find_cuts(const Pieces& pieces, double tolerance,
+                          const std::vector<double>& u_knots, const std::vector<double>& v_knots,
+                          Cuts& u_cuts, Cuts& v_cuts) {
     const auto cut = [](Cuts& cuts, const Interval& span, double error) {
       double& known = cuts[at(span, 0.5)];
       known = std::max(known, error);
@@ -346,7 +446,7 @@ class SurfaceFit {
         const Interval u = span(u_knots, r), v = span(v_knots, c);
         const PatchError& error = pieces(r, c).error;
         largest = std::max(largest, kErrorSafety * error.all);
-        if (kErrorSafety * error.all <= tolerance_) continue;
+        if (kErrorSafety * error.all <= tolerance || pieces(r, c).jump > 0) continue;
         if (error.u >= error.v / 4) cut(u_cuts, u, error.all);
         if (error.v >= error.u / 4) cut(v_cuts, v, error.all);
       }

@@ -26,7 +26,8 @@ CurveSpans fitted_spans(const std::function<Vec3(double)>& value, const std::vec
 
 /// The surface between breaks in both directions, likewise. Rows or columns of patches that are
 /// off are halved, in the direction in which the interpolation errs, those that are off most first,
-/// until there are 96 of them.
+/// until there are 96 of them. Where it jumps, as an offset does where the normal turns over, no
+/// number of them helps: what is nearer than the jump then is near enough.
 BezierSurface fitted_surface(const std::function<Vec3(double, double)>& value,
                              std::vector<double> u_breaks, std::vector<double> v_breaks,
                              double tolerance);

@@ -68,6 +68,25 @@ TEST(FittedSurface, NeighboursShareTheirBorderBitForBit) {
         EXPECT_EQ(found.patches(r, c).points(0, j), found.patches(r - 1, c).points(degree, j));
 }
 
+// A jump is not taken for what needs more spans, whatever else varies, and a narrow crest not for
+// a jump.
+TEST(FittedSurface, IsNotHalvedForAJump) {
+  int values = 0;
+  const auto step = [&](double s, double t) {
+    ++values;
+    return Vec3{9 * s, t, std::sin(3 * s) * t + (s + 0.2 * t < 0.7 ? 0 : 0.4)};
+  };
+  const BezierSurface fit = fitted_surface(step, {0, 1}, {0, 1}, 1e-8);
+  EXPECT_GE(fit.error, 0.4);
+  EXPECT_LE(fit.error, 1.0);
+  EXPECT_LE(fit.patches.rows(), 8);
+  EXPECT_LE(values, 20000);
+  const auto crest = [](double s, double t) {
+    return Vec3{s, t, 0.1 / (1 + std::pow(100 * (s - 0.7), 2))};
+  };
+  EXPECT_LE(fitted_surface(crest, {0, 1}, {0, 1}, 1e-6).error, 1e-6);
+}
+
 // Where there is no room for all, those go first that are off most.
 TEST(FittedSurface, SpendsItsSpansWhereTheErrorIs) {
   const auto ridge = [](double s, double t) {
