@@ -227,9 +227,8 @@ struct Step {
   }
 };
 
-/// By how much values jump. Halving a step between samples
-/// takes half of its height where the error is smooth, nothing where it jumps: after a few halvings
-/// the highest step has the jump in it.
+/// By how much values jump. Halving a step between samples takes half of its height where the error
+/// is smooth, nothing where it jumps: after a few halvings the highest step has the jump in it.
 ///
 /// fitted   the curve that is off by the error, in [0, 1]
 double jump_along(const std::function<Vec3(double)>& value, const FitPoints& fitted) {
