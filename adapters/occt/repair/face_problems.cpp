@@ -3,6 +3,7 @@
 // it.
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include <BRepCheck_Analyzer.hxx>
 #include <TopExp.hxx>
@@ -24,14 +25,6 @@ namespace {
 // So few are checked before threads would have begun.
 constexpr std::size_t kFewFaces = 16;
 
-// What is known of a face before Open CASCADE's checker sees it: that it cannot be converted, or
-// that it is sound. The checker does not look for numbers that are none, and can loop on them.
-std::optional<std::vector<std::string>> known_of(const TopoDS_Face& face, KeptForms* forms) {
-  std::vector<std::string> problems = conversion_problems(face, forms);
-  if (problems.empty() && !is_sound_polygon(face)) return std::nullopt;
-  return problems;
-}
-
 // Of a face of which nothing is known: the loops of polygons are in doubt already.
 std::vector<std::string> found_by_check(const TopoDS_Face& face) {
   if (!is_held_polygon(face) && is_sound_face(face)) return {};
@@ -50,10 +43,26 @@ std::vector<std::string> found_by_check(const TopoDS_Face& face) {
   return problems;
 }
 
-std::vector<std::string> checked(const TopoDS_Face& face) try {
-  return guarded("checking the face", [&] { return found_by_check(face); });
+// What a check finds; one that fails on a face's numbers is a problem of the face.
+template <class Check>
+std::vector<std::string> found_by(const Check& check) try {
+  return guarded("checking the face", check);
 } catch (const Failure& failure) {
   return {failure.what()};
+}
+
+// What is known of a face before Open CASCADE's checker sees it: that it cannot be converted, or
+// that it is sound. The checker does not look for numbers that are none, and can loop on them.
+std::optional<std::vector<std::string>> known_of(const TopoDS_Face& face, KeptForms* forms) {
+  if (std::vector<std::string> problems = conversion_problems(face, forms); !problems.empty())
+    return problems;
+  bool sound = false;
+  std::vector<std::string> problems = found_by([&] {
+    sound = is_sound_polygon(face);
+    return std::vector<std::string>();
+  });
+  if (problems.empty() && !sound) return std::nullopt;
+  return problems;
 }
 
 // Checks only read what faces share; making copies writes to vertices, so one thread does it.
@@ -63,11 +72,18 @@ std::vector<std::vector<std::string>> found_in_threads(const std::vector<TopoDS_
   parallel_for(faces.size(), 1, [&](std::size_t i) { known[i] = known_of(faces[i], forms); });
   FacesToCheck copies;
   std::vector<TopoDS_Face> copy(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    if (!known[i]) copy[i] = copies.add(faces[i]);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (known[i]) continue;
+    std::vector<std::string> problems = found_by([&] {
+      copy[i] = copies.add(faces[i]);
+      return std::vector<std::string>();
+    });
+    if (!problems.empty()) known[i] = std::move(problems);
+  }
   std::vector<std::vector<std::string>> found(faces.size());
-  parallel_for(faces.size(), 1,
-               [&](std::size_t i) { found[i] = known[i] ? *known[i] : checked(copy[i]); });
+  parallel_for(faces.size(), 1, [&](std::size_t i) {
+    found[i] = known[i] ? *known[i] : found_by([&] { return found_by_check(copy[i]); });
+  });
   return found;
 }
 
@@ -87,7 +103,7 @@ std::vector<std::string> conversion_problems(const TopoDS_Face& face, KeptForms*
 
 std::vector<std::string> face_problems(const TopoDS_Face& face, KeptForms* forms) {
   if (const auto known = known_of(face, forms)) return *known;
-  return checked(FacesToCheck().add(face));
+  return found_by([&] { return found_by_check(FacesToCheck().add(face)); });
 }
 
 std::string face_fault(const TopoDS_Face& face) {

@@ -3,14 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
@@ -18,6 +24,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/soundness.h"
@@ -26,6 +33,11 @@ namespace blossom::occt {
 namespace {
 
 using Problems = std::vector<std::string>;
+
+const CheckRunner kDirectly = [](const std::string&, const std::function<void()>& work) {
+  work();
+  return true;
+};
 
 // A bow tie in the plane z = 0.
 TopoDS_Face crossed() {
@@ -75,13 +87,34 @@ TEST(FaceProblems, AreWords) {
   EXPECT_EQ(face_fault(BRepPrimAPI_MakeCylinder(1, 2).Face()), "");
 }
 
+// Half a disc whose straight edge has a direction that no vector can be made of, as files may.
+TopoDS_Face of_wild_numbers() {
+  const gp_Circ round(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 4);
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(round, 0, M_PI).Edge());
+  wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(-4, 0, 0), gp_Pnt(4, 0, 0)).Edge());
+  std::ostringstream out;
+  BRepTools::Write(BRepBuilderAPI_MakeFace(gp_Pln(), wire.Wire()).Face(), out);
+  std::string text = out.str();
+  const std::string line = "\n1 -4 0 0 1 0 0";
+  EXPECT_NE(text.find(line), std::string::npos);
+  text.replace(text.find(line), line.size(), "\n1 -4 0 0 1e300 0 0");
+  std::istringstream in(text);
+  TopoDS_Shape shape;
+  BRepTools::Read(shape, in, BRep_Builder());
+  return TopoDS::Face(shape);
+}
+
+TEST(FaceProblems, OfNumbersThatNoCheckCanTakeAreProblemsOfTheFace) {
+  const TopoDS_Face face = of_wild_numbers();
+  EXPECT_NE(face_fault(face), "");
+  const std::vector<TopoDS_Face> faces(20, face);
+  const auto found = face_problems(faces, numbers_of(faces), kDirectly);
+  for (const Problems& problems : found) EXPECT_FALSE(problems.empty());
+}
+
 TEST(FaceProblems, OfManyFacesAreThoseOfEach) {
   const std::vector<TopoDS_Face> faces = many();
-  const auto found =
-      face_problems(faces, numbers_of(faces), [](const std::string&, const auto& work) {
-        work();
-        return true;
-      });
+  const auto found = face_problems(faces, numbers_of(faces), kDirectly);
   ASSERT_EQ(found.size(), faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) EXPECT_EQ(found[i], face_problems(faces[i])) << i;
 }
