@@ -14,6 +14,7 @@ namespace blossom {
 namespace {
 
 constexpr double kPoint = 1e-12;         // of the size: so long is what stays in a cone's apex
+constexpr double kAtCorner = 1e-9;       // of the range of a surface's parameters
 constexpr std::size_t kFitsAtOnce = 32;  // chains, until it is asked whether to go on
 
 // Surfaces that are so little apart in a node meet in it: at the smallest angles that curves are
@@ -31,6 +32,23 @@ bool any_arc(const PairSearchResult& found, const Chain& chain, bool CellArc::*m
   });
 }
 
+bool is_corner(const BezierSurface& surface, const Vec2& uv) {
+  const auto ends = [](const std::vector<double>& knots, double parameter) {
+    const double to_end = std::min(parameter - knots.front(), knots.back() - parameter) /
+                          (knots.back() - knots.front());
+    return to_end <= kAtCorner;
+  };
+  return ends(surface.u_knots, uv[0]) && ends(surface.v_knots, uv[1]);
+}
+
+// Whether a chain leads from corner to corner of a surface. It runs along the border then, however
+// short that is, while one that only touches the border stays within tolerance of it for a while.
+bool covers_border(const FitContext& context, const ChainTracer& tracer) {
+  const TracePoint from = tracer.at(0, true), to = tracer.at(tracer.stations().back(), false);
+  return (is_corner(context.a, from.a) && is_corner(context.a, to.a)) ||
+         (is_corner(context.b, from.b) && is_corner(context.b, to.b));
+}
+
 std::optional<IntersectionCurve> fitted_chain(const FitContext& context, const Chain& chain) {
   const double tolerance = context.tolerance;
   const ChainTracer tracer(context.found, context.cells_a, context.cells_b, context.origin, chain,
@@ -40,7 +58,7 @@ std::optional<IntersectionCurve> fitted_chain(const FitContext& context, const C
   const bool is_point = length <= kPoint * context.size;
   if (is_short && (belongs_to_contact(chain) || chain.closed || is_point)) return {};
   if (any_arc(context.found, chain, &CellArc::runs_along_border) &&
-      length <= context.contact_length)
+      length <= context.contact_length && !covers_border(context, tracer))
     return {};
   const bool tangential = any_arc(context.found, chain, &CellArc::tangential);
   IntersectionCurve curve =

@@ -163,7 +163,21 @@ PartSide side_of_poles(const FaceTrims& trims, const Spline2& chart, double tole
   return side == PartSide::Outside && trims.period != Vec2{} ? PartSide::Mixed : side;
 }
 
-// Makes parts that are nowhere farther than tolerance from a wire intervals without length.
+bool ends_in_corner(const FaceTrims& trims, const Vec2& point) {
+  return std::ranges::any_of(
+      trims.corners, [&](const Vec2& corner) { return distance(corner, point) <= kOnWire; });
+}
+
+// Whether a part leads from corner to corner: it runs along edges then, however short they are,
+// while what only touches them goes on past its ends, or ends on the way.
+bool covers_edges(const FaceTrims& trims, const PlanarCurve& curve, const Interval& part) {
+  const Vec2 from = point_at(curve, part.from), to = point_at(curve, part.to);
+  return distance(from, to) > 2 * kOnWire && ends_in_corner(trims, from) &&
+         ends_in_corner(trims, to);
+}
+
+// Makes parts that are nowhere farther than tolerance from a wire, and no longer than a touch may
+// be, intervals without length.
 void shrink_touches(const FaceTrims& trims, const PlanarCurve& curve,
                     std::vector<Interval>& inside) {
   for (Interval& part : inside) {
@@ -172,7 +186,7 @@ void shrink_touches(const FaceTrims& trims, const PlanarCurve& curve,
       for (const double t : {0.5, 0.25, 0.75})
         if (coedge_at(trims, point_at(curve, at(part, t)), Wires::AsTheyAre) == nullptr)
           return false;
-      return true;
+      return !covers_edges(trims, curve, part);
     }();
     if (touches) part = {at(part, 0.5), at(part, 0.5)};
   }
