@@ -13,7 +13,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kMinPart = 1e-3;        // of a; shorter common parts are contacts
+constexpr double kMinPart = 1e-3;        // of a or b; shorter common parts are contacts
 constexpr double kSameDirection = 1e-4;  // sine above which directions are not the same
 constexpr double kSameEnd = 1e-12;       // a foot this near an end is the end: rounding
 constexpr int kSampleFootSteps = 8;
@@ -55,8 +55,10 @@ std::optional<Interval> common_part(const LocalMap& map) {
       part.from = std::max(part.from, *s);
   }
   const double low = 1 + map.q * (part.from - map.s0), high = 1 + map.q * (part.to - map.s0);
-  if (!(low > 0 && high > 0 && length(part) > kMinPart)) return std::nullopt;
-  return part;
+  if (!(low > 0 && high > 0 && part.from < part.to)) return std::nullopt;
+  const bool is_long =
+      length(part) > kMinPart || std::abs(map(part.to) - map(part.from)) > kMinPart;
+  return is_long ? std::optional(part) : std::nullopt;
 }
 
 // The parameter in [0, 1] whose point is nearest, from a start.

@@ -308,6 +308,19 @@ TEST(CurveIntersection, CommonRunsAreProven) {
     }
 }
 
+// Also of one that is a small part of the longer curve.
+TEST(CurveIntersection, ShortCurveOnALongOneIsAProvenRun) {
+  for (const double length : {1e-2, 1e-4, 1e-6}) {
+    const CurveSpans whole = bezier({{0, 0, 0}, {1, 0.5, 0}});
+    const CurveSpans part = bezier({{0.5, 0.25, 0}, {0.5 + length, 0.25 + 0.5 * length, 0}});
+    for (const auto& [a, b] : {std::pair{whole, part}, std::pair{part, whole}}) {
+      const CurveIntersection found = intersect(a, b);
+      ASSERT_EQ(found.overlaps.size(), 1u) << length;
+      EXPECT_TRUE(found.overlaps[0].proven);
+    }
+  }
+}
+
 TEST(CurveIntersection, CommonRunDoesNotHideOtherCrossings) {
   const RationalBezierCurve loop{{{0, 0, 0, 1}, {3, 2, 0, 1}, {-2, 2, 0, 1}, {1, 0, 0, 1}}};
   const CurveIntersection found = intersect(curve_spans(loop), piece(loop, {0, 0.5}));

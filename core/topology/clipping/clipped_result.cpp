@@ -138,6 +138,19 @@ struct Trimming {
   std::vector<Interval> inside;
 };
 
+// As `covers_edges` of a part that keeps to wires; corners may lie a period beside it.
+bool covers_edges(const Trimming& by, const Interval& part) {
+  const Vec2 &scale = by.trims.scale, &period = by.trims.period;
+  const auto place = [&](double t, const Vec2& turns) {
+    const Vec2 uv = point_at(by.chart, t);
+    return Vec2{uv[0] * scale[0] + turns[0] * period[0], uv[1] * scale[1] + turns[1] * period[1]};
+  };
+  for (const double u : {0.0, 1.0, -1.0})
+    for (const double v : {0.0, 1.0, -1.0})
+      if (covers_edges(by.trims, place(part.from, {u, v}), place(part.to, {u, v}))) return true;
+  return false;
+}
+
 // Whether a part of a curve keeps to a wire, and no longer than what touches it may. The trims of
 // the other face may have cut it off: what goes on along the wire beyond the part runs along it.
 bool only_touches(const IntersectionCurve& whole, const Interval& part, const Trimming& by,
@@ -146,7 +159,7 @@ bool only_touches(const IntersectionCurve& whole, const Interval& part, const Tr
     return border_at(by.trims, point_at(by.chart, t)).has_value();
   };
   const double length = length_of(whole, part), most = wire_touch_length(by.trims, tolerance);
-  if (length > most || !on_wire(at(part, 0.5))) return false;
+  if (length > most || !on_wire(at(part, 0.5)) || covers_edges(by, part)) return false;
   const auto around = std::ranges::find_if(by.inside, [&](const Interval& inside) {
     return inside.from <= part.from && part.to <= inside.to;
   });

@@ -163,19 +163,6 @@ PartSide side_of_poles(const FaceTrims& trims, const Spline2& chart, double tole
   return side == PartSide::Outside && trims.period != Vec2{} ? PartSide::Mixed : side;
 }
 
-bool ends_in_corner(const FaceTrims& trims, const Vec2& point) {
-  return std::ranges::any_of(
-      trims.corners, [&](const Vec2& corner) { return distance(corner, point) <= kOnWire; });
-}
-
-// Whether a part leads from corner to corner: it runs along edges then, however short they are,
-// while what only touches them goes on past its ends, or ends on the way.
-bool covers_edges(const FaceTrims& trims, const PlanarCurve& curve, const Interval& part) {
-  const Vec2 from = point_at(curve, part.from), to = point_at(curve, part.to);
-  return distance(from, to) > 2 * kOnWire && ends_in_corner(trims, from) &&
-         ends_in_corner(trims, to);
-}
-
 // Makes parts that are nowhere farther than tolerance from a wire, and no longer than a touch may
 // be, intervals without length.
 void shrink_touches(const FaceTrims& trims, const PlanarCurve& curve,
@@ -186,7 +173,7 @@ void shrink_touches(const FaceTrims& trims, const PlanarCurve& curve,
       for (const double t : {0.5, 0.25, 0.75})
         if (coedge_at(trims, point_at(curve, at(part, t)), Wires::AsTheyAre) == nullptr)
           return false;
-      return !covers_edges(trims, curve, part);
+      return !covers_edges(trims, point_at(curve, part.from), point_at(curve, part.to));
     }();
     if (touches) part = {at(part, 0.5), at(part, 0.5)};
   }
@@ -309,6 +296,14 @@ double distance_to_wires(const FaceTrims& trims, const Vec2& point) {
 }
 
 }  // namespace
+
+bool covers_edges(const FaceTrims& trims, const Vec2& from, const Vec2& to) {
+  const auto is_corner = [&](const Vec2& point) {
+    return std::ranges::any_of(
+        trims.corners, [&](const Vec2& corner) { return distance(corner, point) <= kOnWire; });
+  };
+  return distance(from, to) > 2 * kOnWire && is_corner(from) && is_corner(to);
+}
 
 double wire_touch_length(const FaceTrims& trims, double tolerance) {
   constexpr double kWireTouch = 4;  // squared: 8 times 2

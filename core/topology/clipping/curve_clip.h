@@ -44,6 +44,11 @@ struct ClippedCurve {
 /// the wire.
 double wire_touch_length(const FaceTrims& trims, double tolerance);
 
+/// Whether a curve that keeps to the wires between two points, chart coordinates, leads from corner
+/// to corner. It runs along edges then, however short they are, while what only touches a wire
+/// leaves it past both points, or has an end of its own there.
+bool covers_edges(const FaceTrims& trims, const Vec2& from, const Vec2& to);
+
 /// Clips a curve in chart coordinates, where it lies (no periods are added).
 /// tolerance   distance that counts as meeting, chart coordinates
 ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double tolerance);

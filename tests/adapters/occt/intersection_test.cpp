@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <vector>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -60,6 +61,31 @@ TEST(IntersectShapes, DoesNotMindAContactOutsideOfTheTrims) {
   EXPECT_EQ(without.status, Status::Complete);  // the contact is exact
   ASSERT_EQ(without.pairs.size(), 1u);
   EXPECT_EQ(without.pairs[0].found.points.size(), 1u);
+}
+
+TopoDS_Face polygon(const std::vector<gp_Pnt>& corners) {
+  BRepBuilderAPI_MakePolygon wire;
+  for (const gp_Pnt& corner : corners) wire.Add(corner);
+  wire.Close();
+  return BRepBuilderAPI_MakeFace(wire.Wire(), true).Face();
+}
+
+// A strip ends in the wall along one of its short edges. So short a contact of curved faces would
+// be a point of touch.
+TEST(IntersectShapes, FindsAnEdgeThatEndsInAFaceHoweverShortItIs) {
+  const TopoDS_Face wall = polygon({{0, -3, -3}, {0, 3, -3}, {0, 3, 3}, {0, -3, 3}});
+  for (const double height : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 5e-7}) {
+    const TopoDS_Face even = polygon({{0, 0, 0}, {2, 1, 0}, {2, 1, height}, {0, 0, height}});
+    const TopoDS_Face wedge = polygon({{0, 0, 0}, {2, 1, -1}, {2, 1, 1}, {0, 0, height}});
+    for (const TopoDS_Face& strip : {even, wedge}) {
+      const ShapeIntersection found = intersect({wall}, {strip});
+      EXPECT_EQ(found.status, Status::Complete) << height;
+      ASSERT_EQ(found.pairs.size(), 1u) << height;
+      ASSERT_EQ(found.pairs[0].found.curves.size(), 1u) << height;
+      EXPECT_NEAR(found.pairs[0].found.curves[0].length, height, 1e-12);
+      EXPECT_TRUE(found.pairs[0].found.points.empty()) << height;
+    }
+  }
 }
 
 TEST(IntersectShapes, CutsCurvesAtAHole) {

@@ -64,5 +64,23 @@ TEST(TouchedBorders, HoldNoCurvesThatLeaveThemInACorner) {
   EXPECT_LE(norm(found.points[0].point), 1e-9);
 }
 
+// A strip ends in the other surface along a border that is shorter than a touch would be.
+TEST(TouchedBorders, AreCurvesFromCornerToCornerHoweverShort) {
+  for (const double height : {1e-2, 1e-4, 1e-5, 1e-6, 5e-7}) {
+    SCOPED_TRACE(height);
+    BezierSurface strip = testing::graph({}, {0, 0}, {2, 0}, {0, height});
+    for (Vec4& p : strip.patches(0, 0).points.values()) p = {p[0], 0.5 * p[0], p[1], 1};
+    BezierSurface wall = testing::graph({}, {-3, -3}, {6, 0}, {0, 6});
+    for (Vec4& p : wall.patches(0, 0).points.values()) p = {0, p[0], p[1], 1};
+
+    const SurfaceIntersection found = intersect(wall, strip);
+
+    EXPECT_EQ(found.status, Status::Complete);
+    EXPECT_TRUE(found.points.empty());
+    ASSERT_EQ(found.curves.size(), 1u);
+    EXPECT_NEAR(found.curves[0].length, height, 1e-13);
+  }
+}
+
 }  // namespace
 }  // namespace blossom
