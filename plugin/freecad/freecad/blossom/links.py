@@ -13,6 +13,21 @@ import Part
 from . import door
 
 
+def has(thing, name):
+    """Whether it has an attribute. throws ValueError if it is deleted, where FreeCAD has an
+    exception of its own"""
+    try:
+        return hasattr(thing, name)
+    except ReferenceError:
+        raise ValueError("the object is deleted, or its document closed") from None
+
+
+def require_document(document):
+    """throws TypeError if it is none, ValueError if it is closed"""
+    if not has(document, "addObject"):
+        raise TypeError(f"a document is wanted, got {type(document).__name__}")
+
+
 def told(link):
     """The members of a link as ["Box.Face3", ...]; they are compared and stored."""
     return [f"{target.Name}.{sub}" for target, sub in members(link)]
@@ -76,6 +91,10 @@ def shape_of(target, sub, name):
     """The placed shape of a member. throws ValueError, with the property's name"""
     shape = Part.getShape(target, sub, needSubElement=True)
     if shape.isNull():
+        if hasattr(leaf_of(target, sub), "Mesh"):
+            raise ValueError(
+                f"{name}: {shown(target, sub)} is a mesh, which freecad.blossom.meshes takes"
+            )
         if not sub:
             raise ValueError(f"{name}: {target.Label} has no shape")
         raise ValueError(f"{name}: {sub} of {target.Label} is gone, or it has no shape")

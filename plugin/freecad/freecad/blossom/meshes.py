@@ -17,22 +17,25 @@ import tempfile
 
 import Mesh
 
-from . import door
+from . import door, links
 from .feature import container_of
 
 
 def triangles(obj):
-    """A Mesh object as the package has it, where it is shown. throws NoEngine"""
+    """A Mesh object as the package has it, where it is shown. throws NoEngine, TypeError,
+    ValueError"""
     chosen = door.choice()
     if chosen.kind != "module":
         raise door.NoEngine(f"questions of meshes take the package blossom: {chosen.reason}")
     import blossom
 
-    if not hasattr(getattr(obj, "Mesh", None), "Topology"):
+    if not links.has(obj, "Label"):
+        raise TypeError(f"a Mesh object is wanted, got {type(obj).__name__}")
+    if not hasattr(obj, "Mesh"):
         raise ValueError(f"{obj.Label} is no mesh")
-    placed = obj.Mesh.copy()
-    placed.transform(container_of(obj).toMatrix())
-    return blossom.from_mesh(placed)
+    if obj.Mesh.CountFacets == 0:
+        raise ValueError(f"{obj.Label} has no triangles")
+    return blossom.from_mesh(obj)
 
 
 def check(obj):
@@ -42,6 +45,7 @@ def check(obj):
 
 def filled(document, obj, name="Filled"):
     """A Mesh object with all holes filled."""
+    links.require_document(document)
     made = triangles(obj).fill()
     with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
         file = os.path.join(folder, "mesh.ply")  # which FreeCAD reads the fastest
@@ -53,12 +57,14 @@ def filled(document, obj, name="Filled"):
 
 def section(document, obj, point, normal, name="MeshSection"):
     """A Part object of the wires in which it meets a plane. throws ValueError if it does not"""
+    links.require_document(document)
     return _wires(document, triangles(obj).section(tuple(point), tuple(normal)), name)
 
 
 def intersection(document, obj, other, name="MeshIntersection"):
     """A Part object of the wires in which it meets another mesh, or an object that has a shape,
     within a ten-thousandth of the size. throws ValueError if it does not"""
+    links.require_document(document)
     return _wires(document, triangles(obj).intersect(_other(other)), name)
 
 
