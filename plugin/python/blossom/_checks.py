@@ -18,6 +18,7 @@ OPERATIONS = ("cut", "common", "fuse", "split")
 SMOOTHNESS = ("G0", "G1", "G2")
 LAYOUTS = ("auto", "star", "ring", "deep-ring")
 TARGETS = ("bezier", "monomial", "triangles")
+PATCHES = ("bezier", "triangles")
 EDGE_WORDS = ("all", "convex", "concave")
 SIDES = ("umax", "umin", "vmax", "vmin")
 STRIP_ORDERS = ("G1", "G2", "G3")
@@ -180,14 +181,15 @@ def _in_list(value: Any) -> Any:
 
 MESH_FILES = (".stl", ".ply", ".obj", ".off")
 
-_FACE_RANGE = re.compile(r"([1-9]\d{0,8})-([1-9]\d{0,8})")
+# "5-9"
+FACE_RANGE = re.compile(r"([1-9]\d{0,8})-([1-9]\d{0,8})")
 
 
 def chosen_faces(text: str, name: str, count: int) -> List[int]:
     """Of "3,5-9,Face12", what an input of the command line has after its '#', of so many faces."""
     made: List[int] = []
     for entry in text.split(","):
-        if found := _FACE_RANGE.fullmatch(entry):
+        if found := FACE_RANGE.fullmatch(entry):
             first, last = int(found[1]), int(found[2])
         else:
             first = last = entity(int(entry) if entry.isdecimal() else entry, name, "face")
