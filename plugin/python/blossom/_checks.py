@@ -114,12 +114,17 @@ def path(value: Any, name: str) -> str:
     raise TypeError(f"{name}: a str or a Path is wanted, got {kind(value)}")
 
 
+def members(value: Any, name: str, wanted: str) -> List[Any]:
+    """What is in a list, or in what else has members."""
+    try:
+        return list(value)
+    except TypeError:
+        raise TypeError(f"{name}: {wanted} wanted, got {kind(value)}") from None
+
+
 def vector(value: Any, name: str) -> Triple:
     """Three finite numbers: a sequence, an array, or FreeCAD's Vector."""
-    try:
-        parts = list(value)
-    except TypeError:
-        raise TypeError(f"{name}: three numbers are wanted, got {kind(value)}") from None
+    parts = members(value, name, "three numbers are")
     if isinstance(value, (str, bytes)):
         raise TypeError(f"{name}: three numbers are wanted, got {kind(value)}")
     if len(parts) != 3:
@@ -201,8 +206,9 @@ def chosen_faces(text: str, name: str, count: int) -> List[int]:
 
 def smoothness(value: Any, name: str, edges: int) -> List[str]:
     """One word for all edges, or one for each."""
-    words = [value] if isinstance(value, str) else list(value)
-    made = [word(each, name, SMOOTHNESS) for each in words]
+    words = _in_list(value)
+    wanted = "one of G0, G1, G2, or a list of them is"
+    made = [word(each, name, SMOOTHNESS) for each in members(words, name, wanted)]
     if len(made) != 1 and len(made) != edges:
         raise ValueError(f"{name}: one word, or one for each edge is wanted, got {len(made)}")
     return made
@@ -212,10 +218,7 @@ def number_list(value: Any, name: str, count: int) -> List[float]:
     """So many finite numbers; none if there is no value."""
     if value is None:
         return []
-    try:
-        parts = list(value)
-    except TypeError:
-        raise TypeError(f"{name}: {count} numbers are wanted, got {kind(value)}") from None
+    parts = members(value, name, f"{count} numbers are")
     if len(parts) != count:
         raise ValueError(f"{name}: {count} numbers are wanted, got {len(parts)}")
     return [number(part, name) for part in parts]

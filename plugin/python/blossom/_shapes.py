@@ -169,8 +169,14 @@ def net_model(net: Any, name: str) -> _core.Model:
     return _core.net_face(array, None, None, name)
 
 
+_NUMBERS = "a list of numbers is"
+
+
 def _numbers(net: Any, name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
-    array = np.asarray(net)
+    try:
+        array = np.asarray(net)
+    except ValueError:
+        raise ValueError(f"{name}: the rows are not all of one length") from None
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{name}: a net holds numbers, got {array.dtype}")
     return np.ascontiguousarray(array, dtype=np.float64)
@@ -221,8 +227,11 @@ def _knot_vector(
         raise ValueError(f"{name}: knots, multiplicities and degree go together")
     return _core.KnotVector(
         degree=_checks.whole(degree, "degree", 1),
-        knots=[_checks.number(knot, name) for knot in knots],
-        multiplicities=[_checks.whole(each, "multiplicities", 1) for each in multiplicities],
+        knots=[_checks.number(knot, name) for knot in _checks.members(knots, name, _NUMBERS)],
+        multiplicities=[
+            _checks.whole(each, "multiplicities", 1)
+            for each in _checks.members(multiplicities, "multiplicities", _NUMBERS)
+        ],
     )
 
 

@@ -140,6 +140,19 @@ class Nets(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"got \(3,\)"):
             blossom.intersect(np.zeros(3), WALL)
 
+    def test_what_is_no_list_is_told(self):
+        line = [(0, 0, 0), (1, 0, 0)]
+        for words, wrong in (
+            ("^knots: a list of numbers is wanted, got int$", {"knots": 3, "multiplicities": [2, 2]}),
+            ("^multiplicities: a list of numbers is wanted, got int$", {"knots": [0, 1], "multiplicities": 3}),
+        ):
+            with self.assertRaisesRegex(TypeError, words):
+                blossom.curve(line, degree=1, **wrong)
+        with self.assertRaisesRegex(TypeError, "^knots, along u: a list of numbers is wanted, got int$"):
+            blossom.surface([line, line], knots=(1, 2), multiplicities=([2, 2], [2, 2]), degree=(1, 1))
+        with self.assertRaisesRegex(ValueError, "^poles: the rows are not all of one length$"):
+            blossom.curve([(0, 0, 0), (1, 0)])
+
 
 @unittest.skipIf(Part is None, NO_PART)
 class FreeCADShapes(unittest.TestCase):
