@@ -337,8 +337,10 @@ def what_no_question_of_meshes_can_take_is_told(document):
         claim(f"it says: {words}", told(ask) == words)
     scan.Mesh = Mesh.createBox(10, 10, 10)
     cut = make.section(document, scan)
+    cut.Proxy.begin(cut)  # as the command does before its panel, which says the same
     document.recompute()
-    claim("shapes are not made of meshes", says(cut, "Scan is a mesh, which freecad.blossom.meshes takes"))
+    words = "Scan is a mesh, not a shape; in Python freecad.blossom.meshes takes it"
+    claim("shapes are not made of meshes", says(cut, words))
     FreeCAD.closeDocument(document.Name)
     closed = "the object is deleted, or its document closed"
     for ask in (

@@ -93,7 +93,8 @@ def shape_of(target, sub, name):
     if shape.isNull():
         if hasattr(leaf_of(target, sub), "Mesh"):
             raise ValueError(
-                f"{name}: {shown(target, sub)} is a mesh, which freecad.blossom.meshes takes"
+                f"{name}: {shown(target, sub)} is a mesh, not a shape; "
+                "in Python freecad.blossom.meshes takes it"
             )
         if not sub:
             raise ValueError(f"{name}: {target.Label} has no shape")
