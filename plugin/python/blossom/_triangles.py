@@ -415,7 +415,7 @@ def _of_object(source: Any) -> Optional[Triangles]:
         points, facets = mesh.Topology
         vertices = np.array([(p.x, p.y, p.z) for p in points], float).reshape(-1, 3)
         corners = _rows(np.array(facets).reshape(-1, 3), "source", np.int32)
-        shown = vertices if mesh is source else _in_containers(vertices, source)
+        shown = vertices if mesh is source else _where_shown(vertices, mesh, source)
         return Triangles(_core.mesh_of_arrays(label, shown, corners, []))
     if hasattr(source, "names") and hasattr(source, "vertices"):  # an answer of `mesh`
         corners = np.array(source.triangles)
@@ -427,14 +427,23 @@ def _of_object(source: Any) -> Optional[Triangles]:
     return None
 
 
-def _in_containers(vertices: Array, shown: Any) -> Array:
-    """Vertices that have the placement of an object of FreeCAD, where its containers put it."""
-    if not hasattr(shown, "getGlobalPlacement"):
-        return vertices
-    container = shown.getGlobalPlacement().multiply(shown.Placement.inverse())
-    matrix = np.array(container.toMatrix().A, float).reshape(4, 4)
+def _where_shown(vertices: Array, mesh: Any, shown: Any) -> Array:
+    """Vertices that a mesh of FreeCAD has, where an object with it, or a link to that, shows them,
+    and its containers."""
+    place, container = _own_place(shown), shown.getParentGeoFeatureGroup()
+    if container is not None:
+        place = container.getGlobalPlacement().multiply(place)
+    matrix = np.array(place.multiply(mesh.Placement.inverse()).toMatrix().A, float).reshape(4, 4)
     placed: Array = vertices @ matrix[:3, :3].T + matrix[:3, 3]
     return placed
+
+
+def _own_place(shown: Any) -> Any:
+    """The placement of an object of FreeCAD; of a link its own, before that of what it links to if
+    it wants that."""
+    if shown.hasExtension("App::LinkBaseExtension") and shown.LinkTransform:
+        return shown.Placement.multiply(_own_place(shown.LinkedObject))
+    return shown.Placement
 
 
 def _is_mesh(other: Any) -> bool:

@@ -324,6 +324,37 @@ def turned_meshes_in_turned_containers_are_where_they_are_shown(document):
     claim("a box in the same place is as far as rounding", meshes.distance(scan, same).bounds[1] < 1e-5)
 
 
+def links_count_where_they_are(document):
+    scan = document.addObject("Mesh::Feature", "Scan")
+    scan.Mesh = Mesh.createBox(10, 10, 10)
+    scan.Placement = FreeCAD.Placement(V(7, 0, 0), FreeCAD.Rotation(V(0, 0, 1), 90))
+    holder = document.addObject("App::Part", "Holder")
+    holder.Placement = FreeCAD.Placement(V(0, 50, 0), FreeCAD.Rotation(V(1, 0, 0), 30))
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = scan
+    link.Placement.Base = V(100, 0, 0)
+    box = document.addObject("Part::Box", "Block")
+    box.Length = box.Width = box.Height = 10
+    other = document.addObject("App::Link", "Other")
+    other.LinkedObject = box
+    other.Placement.Base = V(95, -5, -5)
+    for transform in (False, True):
+        link.LinkTransform = transform
+        document.recompute()
+        middle = V(107, 0, 0) if transform else V(100, 0, 0)
+        for each in (meshes.triangles(link), blossom.from_mesh(link)):
+            claim("a link is where it is shown", V(*each.vertices.mean(0)).distanceToPoint(middle) < 1e-5)
+        away = 7 if transform else 0
+        claim("as is a link to a shape", abs(meshes.distance(link, other).bounds[1] - away) < 1e-3)
+    holder.addObject(link)
+    document.recompute()
+    middle = holder.Placement.multVec(V(107, 0, 0))
+    claim(
+        "also in a container",
+        V(*meshes.triangles(link).vertices.mean(0)).distanceToPoint(middle) < 1e-5,
+    )
+
+
 def what_no_question_of_meshes_can_take_is_told(document):
     box = document.addObject("Part::Box", "Block")
     scan = document.addObject("Mesh::Feature", "Scan")
@@ -372,5 +403,6 @@ run(
     wrong_lines_are_told_and_leave_nothing,
     mesh_objects_answer_to_questions,
     turned_meshes_in_turned_containers_are_where_they_are_shown,
+    links_count_where_they_are,
     what_no_question_of_meshes_can_take_is_told,
 )

@@ -18,7 +18,6 @@ import tempfile
 import Mesh
 
 from . import door, links
-from .feature import container_of
 
 
 def triangles(obj):
@@ -81,7 +80,9 @@ def _other(other):
     if shape is other:
         return shape
     placed = shape.copy(False)
-    placed.Placement = container_of(other).multiply(shape.Placement)
+    container = other.getParentGeoFeatureGroup()
+    if container is not None:
+        placed.Placement = container.getGlobalPlacement().multiply(shape.Placement)
     return placed
 
 
