@@ -355,6 +355,27 @@ def links_count_where_they_are(document):
     )
 
 
+def planes_by_links_are_where_they_are_shown(document):
+    block = box(document)
+    line = document.addObject("Part::Feature", "Line")
+    line.Shape = Part.makeLine(V(0, 0, 0), V(1, 0, 0))
+    line.Placement.Base = V(0, 0, 3)
+    holder = document.addObject("App::Part", "Holder")
+    holder.Placement.Base = V(0, 0, 1)
+    for transform, height in ((False, 2), (True, 5)):
+        link = document.addObject("App::Link", "Link")
+        link.LinkedObject, link.LinkTransform = line, transform
+        link.Placement.Base = V(0, 0, 2)
+        document.recompute()
+        cut = make.section(document, block, link)
+        document.recompute()
+        claim("the plane is where the link is", near(cut.Shape.BoundBox.ZMax, height))
+        holder.addObject(link)
+        cut = make.section(document, block, (holder, f"{link.Name}."))
+        document.recompute()
+        claim("also in a container", near(cut.Shape.BoundBox.ZMax, height + 1))
+
+
 def what_no_question_of_meshes_can_take_is_told(document):
     box = document.addObject("Part::Box", "Block")
     scan = document.addObject("Mesh::Feature", "Scan")
@@ -404,5 +425,6 @@ run(
     mesh_objects_answer_to_questions,
     turned_meshes_in_turned_containers_are_where_they_are_shown,
     links_count_where_they_are,
+    planes_by_links_are_where_they_are_shown,
     what_no_question_of_meshes_can_take_is_told,
 )

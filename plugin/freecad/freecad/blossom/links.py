@@ -78,12 +78,16 @@ def shown_by(target, sub):
 def place_of(target, sub):
     """Where a member is shown: below all containers, and by the links on the way to it; None if it
     has no place."""
-    if not hasattr(leaf_of(target, sub), "Placement"):
+    leaf = leaf_of(target, sub)
+    if not hasattr(leaf, "Placement"):
         return None
     place = target.getSubObject(path_of(sub), retType=3)  # with the target's own placement
     if hasattr(target, "getGlobalPlacement"):  # links have none
         container = target.getGlobalPlacement().multiply(target.Placement.inverse())
         place = container.multiply(place)
+    while leaf.hasExtension("App::LinkBaseExtension") and leaf.LinkTransform:
+        leaf = leaf.LinkedObject  # whose own placement the link keeps
+        place = place.multiply(leaf.Placement)
     return place
 
 
