@@ -74,7 +74,8 @@ def work():
     press("Ok")
     claim("the window answers during a recompute", pulse.told("recompute") > LEAST_ANSWERS)
     claim("the button ends it", "cancelled" in said())
-    panel = next(each for each in gc.get_objects() if isinstance(each, Panel))
+    panels = [each for each in gc.get_objects() if isinstance(each, Panel)]
+    panel = next(each for each in panels if each._document == document.Name)
     press("Cancel")
     claim(
         "Cancel leaves the document as it was",
