@@ -8,7 +8,7 @@
     curves = meshes.intersection(document, scan, part)       # where it meets a mesh or a shape
     meshes.distance(scan, part).bounds          # how far they are from each other at worst
 
-Where a mesh is in a container, it counts where it is shown. It takes the package `blossom`, see
+Where a mesh is in a container, or behind a link, it counts where it is shown. It takes the package `blossom`, see
 `door`; what is made does not follow its parents.
 """
 
