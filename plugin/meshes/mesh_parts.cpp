@@ -1,11 +1,69 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/meshes/mesh_parts.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "adapters/occt/base/errors.h"
 #include "core/math/index.h"
 #include "plugin/meshes/formats/text_words.h"
+#include "plugin/reports/text/words.h"
 
 namespace blossom::meshes {
+namespace {
+
+constexpr std::size_t kNamedGroups = 5;  // in a message
+
+// What of a group's name, "machine:1/Shaft/Face3", may be written instead of all of it.
+enum class NamePart { All, Begin, End };
+
+bool is_called(const std::string& group, const std::string& name, NamePart part) {
+  if (part == NamePart::All) return group == name;
+  return part == NamePart::Begin ? group.starts_with(name + '/') : group.ends_with('/' + name);
+}
+
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
+
+// Of different names, the first few.
+std::vector<std::string> quoted_names(const std::vector<MeshGroup>& groups,
+                                      const std::vector<std::size_t>& places) {
+  std::vector<std::string> names;
+  for (const std::size_t place : places) {
+    const std::string name = quoted(groups[place].name);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    if (names.size() == kNamedGroups) break;
+  }
+  return names;
+}
+
+[[noreturn]] void refuse_name(const std::vector<MeshGroup>& groups, const std::string& name,
+                              const std::string& file) {
+  std::vector<std::size_t> all(groups.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::vector<std::string> names = quoted_names(groups, all);
+  std::string text = file + ": there is no group " + quoted(name);
+  if (names.empty()) throw occt::BadModel(text + ", it has none");
+  text += (names.size() == 1 ? "; there is " : "; there are ") + reports::listed(names, "and");
+  throw occt::BadModel(text + (groups.size() > names.size() ? "; info --faces lists all" : ""));
+}
+
+// All that are called so; of the end of a name they have to be of one.
+std::vector<std::size_t> groups_called(const std::vector<MeshGroup>& groups,
+                                       const std::string& name, const std::string& file) {
+  for (const NamePart part : {NamePart::All, NamePart::Begin, NamePart::End}) {
+    std::vector<std::size_t> found;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      if (is_called(groups[g].name, name, part) || is_called(groups[g].name, one_word(name), part))
+        found.push_back(g);
+    const std::vector<std::string> names = quoted_names(groups, found);
+    if (part == NamePart::End && names.size() > 1)
+      throw occt::BadModel(file + ": " + quoted(name) + " may be " + reports::listed(names));
+    if (!found.empty()) return found;
+  }
+  refuse_name(groups, name, file);
+}
+
+}  // namespace
 
 FileMesh chosen_triangles(const FileMesh& mesh, const std::vector<std::size_t>& places) {
   FileMesh part;
@@ -36,21 +94,14 @@ FileMesh chosen_triangles(const FileMesh& mesh, const std::vector<std::size_t>& 
 FileMesh chosen_groups(const FileMesh& mesh, const std::vector<int>& numbers,
                        const std::vector<std::string>& names, const std::string& file) {
   std::vector<bool> wanted(mesh.groups.size(), false);
-  const auto refuse = [&](const std::string& what) {
-    throw occt::BadModel(file + ": there is no group " + what + "; it has " +
-                         std::to_string(mesh.groups.size()));
-  };
   for (const int number : numbers) {
-    if (number < 1 || index(number) > mesh.groups.size()) refuse(std::to_string(number));
+    if (number < 1 || index(number) > mesh.groups.size())
+      throw occt::BadModel(file + ": there is no group " + std::to_string(number) + "; it has " +
+                           std::to_string(mesh.groups.size()));
     wanted[index(number) - 1] = true;
   }
-  for (const std::string& name : names) {
-    bool any = false;
-    for (std::size_t g = 0; g < mesh.groups.size(); ++g)
-      if (mesh.groups[g].name == name || mesh.groups[g].name == one_word(name))
-        wanted[g] = any = true;
-    if (!any) refuse("'" + name + "'");
-  }
+  for (const std::string& name : names)
+    for (const std::size_t g : groups_called(mesh.groups, name, file)) wanted[g] = true;
   std::vector<std::size_t> places;
   for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
     const std::size_t end =

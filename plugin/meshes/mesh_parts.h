@@ -13,8 +13,9 @@ namespace blossom::meshes {
 /// Some groups of a mesh, with the points that they have.
 ///
 /// numbers   from 1 on, in the order of the file
-/// names     of groups; all that are called so, also with blanks as underscores
-/// throws    occt::BadModel, with `file`, if there is no such group
+/// names     of groups, also with blanks as underscores: all that are called so; else those of a
+///           part, "Shaft" of "Shaft/Face3"; else the end of one name, "Face3"
+/// throws    occt::BadModel, with `file`, if there is no such group, or the end of several names
 FileMesh chosen_groups(const FileMesh& mesh, const std::vector<int>& numbers,
                        const std::vector<std::string>& names, const std::string& file);
 

@@ -117,6 +117,9 @@ Answer convert(const SharedModel& model, const std::string& to, const Control& c
 /// The answer with a report that is made already, and the shape of a model; none if that is null.
 Answer made_answer(reports::Json report, SharedModel model);
 
+/// The records of an answer that is nets. With Python's lock.
+pybind11::dict net_records(const std::vector<nets::Net>& made);
+
 /// A plane whose normal has the length 1.
 /// throws   InvalidInput if the normal is 0
 occt::Plane plane_of(const Vec3& point, const Vec3& normal);

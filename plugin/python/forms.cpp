@@ -40,22 +40,22 @@ SharedModel shape_of(const SharedModel& of, const SharedNets& made, const std::s
   return std::make_shared<LoadedModel>(name, std::move(copy), reports::Repairing::None);
 }
 
-py::dict records_of(const SharedNets& made) {
-  Json list = Json::array();
-  for (const nets::Net& net : *made) list.push_back(nets::to_json(net));
-  return py::dict("nets"_a = to_python(list));
-}
-
 Answer nets_answer(const SharedModel& model, Json report, std::vector<nets::Net> nets,
                    const char* name) {
   const auto told = std::make_shared<const Json>(with_reading(std::move(report), {model}));
   const SharedNets made = std::make_shared<const std::vector<nets::Net>>(std::move(nets));
   return {.report = [told] { return *told; },
           .model = [model, made, name] { return shape_of(model, made, name); },
-          .records = [made] { return records_of(made); }};
+          .records = [made] { return net_records(*made); }};
 }
 
 }  // namespace
+
+py::dict net_records(const std::vector<nets::Net>& made) {
+  Json list = Json::array();
+  for (const nets::Net& net : made) list.push_back(nets::to_json(net));
+  return py::dict("nets"_a = to_python(list));
+}
 
 Answer subdivide(const SharedModel& model, const nets::Cut& wanted, const Control& control) {
   return interruptible(control, [&](const Watch& watch) {

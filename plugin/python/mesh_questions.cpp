@@ -22,7 +22,10 @@
 #include "plugin/meshes/mesh_curves.h"
 #include "plugin/meshes/mesh_distance.h"
 #include "plugin/meshes/mesh_fill.h"
+#include "plugin/meshes/mesh_info.h"
 #include "plugin/meshes/mesh_judge.h"
+#include "plugin/meshes/mesh_parts.h"
+#include "plugin/nets/smooth_patches.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
 #include "plugin/reports/models/measured_input.h"
@@ -117,6 +120,19 @@ LoadedModel::Turn turn_of(const MeshOrModel& of, const Watch& watch) {
   return model ? (*model)->turn(watch) : LoadedModel::Turn();
 }
 
+// What has a file of its own to tell of.
+std::vector<SharedModel> models_of(const MeshOrModel& of) {
+  const auto* const model = std::get_if<SharedModel>(&of);
+  return model ? std::vector<SharedModel>{*model} : std::vector<SharedModel>{};
+}
+
+Answer facts(const SharedMesh& mesh, const Control& control) {
+  return interruptible(control, [&](const Watch& watch) {
+    const MeshFacts found = meshes::facts_of(mesh->mesh, [&watch] { watch.stop(); });
+    return made_answer(meshes::mesh_info_report(mesh->name, mesh->mesh, found), nullptr);
+  });
+}
+
 Answer judged(const SharedMesh& mesh, const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     const meshes::JudgedMesh found =
@@ -174,7 +190,8 @@ Answer met(const SharedMesh& a, const MeshOrModel& b, const Control& control) {
     pair.found =
         with_cgal(meshes::curves_of_meshes(a->mesh, second.mesh(), [&watch] { watch.stop(); }));
     pair.seconds = watch.seconds() - start;
-    return answer_of_curves(meshes::mesh_pair_report(pair), {pair.found}, "intersection");
+    return answer_of_curves(with_reading(meshes::mesh_pair_report(pair), models_of(b)),
+                            {pair.found}, "intersection");
   });
 }
 
@@ -215,7 +232,7 @@ Answer farthest(const SharedMesh& a, const MeshOrModel& b, double tolerance,
     };
     const meshes::MeshDistance found =
         meshes::distance_of(first, second, tolerance, goes_on, within);
-    return made_answer(meshes::mesh_distance_report(found), nullptr);
+    return made_answer(with_reading(meshes::mesh_distance_report(found), models_of(b)), nullptr);
   });
 }
 
@@ -226,6 +243,26 @@ std::pair<SharedMesh, Answer> filled_mesh(const SharedMesh& mesh, const Control&
     return std::pair<SharedMesh, Answer>(
         std::make_shared<const NamedMesh>(NamedMesh{mesh->name, std::move(made.mesh)}),
         std::move(answer));
+  });
+}
+
+Answer curved(const SharedMesh& of, const std::string& to, double crease, const Control& control) {
+  return interruptible(control, [&](const Watch& watch) {
+    const nets::Stop stop = [&watch] { watch.stop(); };
+    const double start = watch.seconds();
+    const meshes::FileMesh mesh = meshes::with_points_joined(of->mesh);
+    nets::SmoothPatches made = nets::smooth_patches(mesh.points, mesh.triangles, crease,
+                                                    nets::target_form(to).value(), of->name, stop);
+    reports::Json report =
+        nets::smooth_patches_report(of->name, nullptr, made, mesh.notes, watch.seconds() - start);
+    Answer answer = made_answer(std::move(report), nullptr);
+    const auto kept = std::make_shared<const nets::SmoothPatches>(std::move(made));
+    answer.model = [kept] {
+      return std::make_shared<LoadedModel>("conversion", nets::model_of(*kept, {}),
+                                           reports::Repairing::None);
+    };
+    answer.records = [kept] { return net_records(kept->nets); };
+    return answer;
   });
 }
 
@@ -246,6 +283,14 @@ void add_mesh_class(py::module_& module) {
 }
 
 void add_made_meshes(py::module_& module) {
+  module.def(
+      "mesh_part",
+      [](const Own& mesh, const std::vector<int>& numbers, const std::vector<std::string>& names,
+         const std::string& name) {
+        return std::make_shared<NamedMesh>(
+            NamedMesh{name, meshes::chosen_groups(mesh->mesh, numbers, names, mesh->name)});
+      },
+      arg("mesh"), arg("numbers"), arg("names"), arg("name"));
   module.def(
       "read_mesh",
       [](const std::string& path, const Control& control) { return own(read_mesh(path, control)); },
@@ -271,6 +316,15 @@ void add_made_meshes(py::module_& module) {
 void add_mesh_questions(py::module_& module) {
   add_mesh_class(module);
   add_made_meshes(module);
+  module.def(
+      "info_mesh", [](const Own& mesh, const Control& control) { return facts(mesh, control); },
+      arg("mesh"), arg("control"));
+  module.def(
+      "curve_mesh",
+      [](const Own& mesh, const std::string& to, double crease, const Control& control) {
+        return curved(mesh, to, crease, control);
+      },
+      arg("mesh"), arg("to"), arg("crease"), arg("control"));
   module.def(
       "check_mesh", [](const Own& mesh, const Control& control) { return judged(mesh, control); },
       arg("mesh"), arg("control"));

@@ -26,7 +26,7 @@ constexpr double kSameParameter = 1e-9;
 /// Curvature that counts as none, as a part of 1 / width of the strip.
 constexpr double kFlat = 1e-3;
 
-void refuse(const std::string& what) { throw InvalidInput("strip_between: " + what); }
+void refuse(const std::string& what) { throw InvalidInput("strip: " + what); }
 
 void check_weight(double weight, const char* name) {
   if (!(weight > 0) || !std::isfinite(weight))

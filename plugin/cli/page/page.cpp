@@ -198,6 +198,7 @@ std::string html_of(const Json& scene) {
 <label><input type="checkbox" id="outlines" checked>edges of faces</label>
 <h2>Clicked</h2>
 <div id="picked">Click a face, a curve or a mark.</div>
+<p class="hint" id="behind"></p>
 <div id="certificate"><h2>Certificate</h2><ul id="facts"></ul></div>
 <h2>Mouse</h2>
 <p class="hint">Drag turns, the wheel zooms, Shift or the right button slides, a double click shows all.</p>

@@ -3,6 +3,7 @@
 // Plain WebGL 2; it goes on where scene.js ends.
 const kLineWidth = { curve: 4, net: 1.3, hatch: 1.4 };  // CSS pixels
 const kOutlineColour = [0.22, 0.26, 0.32], kPickedColour = [1.0, 0.78, 0.0];
+const kOpaque = 0.9;  // groups from this opacity on hide what is behind them
 const kMarkSize = 15, kReach = 8;  // CSS pixels; the second is how near a click has to be
 
 // ---- drawing ----------------------------------------------------------------------------------
@@ -124,7 +125,7 @@ function use(shader, colour, opacity, lift) {
 
 function drawFaces(group, colour, opacity, first, count) {
   // Translucent faces lie behind opaque ones that coincide with them.
-  use(shaders.face, colour, opacity, opacity < 0.9 ? -1e-3 : 0);
+  use(shaders.face, colour, opacity, opacity < kOpaque ? -1e-3 : 0);
   gl.bindVertexArray(group.array);
   gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
 }
@@ -176,11 +177,11 @@ function draw() {
   gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   gl.depthFunc(gl.LEQUAL);
   const shown = groups.filter((group) => group.shown);
-  for (const group of shown.filter((g) => g.opacity >= 0.9))
+  for (const group of shown.filter((g) => g.opacity >= kOpaque))
     drawFaces(group, group.colour, 1, 0, group.corners.length);
   const drawPicked = (solid) => {
     const { group, face } = picked ?? {};
-    if (face && group.shown && group.opacity >= 0.9 === solid)
+    if (face && group.shown && group.opacity >= kOpaque === solid)
       drawFaces(group, kPickedColour, solid ? 1 : 0.6, face.first, face.count);
   };
   drawPicked(true);
@@ -188,7 +189,7 @@ function draw() {
     for (const { outline } of shown) drawLines(outline, 0, outline.count, kOutlineColour, 1, 1);
   drawLayers(1);
   gl.depthMask(false);
-  for (const group of shown.filter((g) => g.opacity < 0.9))
+  for (const group of shown.filter((g) => g.opacity < kOpaque))
     drawFaces(group, group.colour, group.opacity, 0, group.corners.length);
   drawPicked(false);
   gl.depthFunc(gl.GREATER);  // what is hidden shines through
@@ -207,14 +208,15 @@ function redraw() {
 
 // ---- what is clicked --------------------------------------------------------------------------
 
-// The nearest face under a place of the canvas: its group, face and depth.
-function faceAt(x, y) {
-  let best = null;
+// The faces under a place of the canvas, the nearest first, each with its group and depth.
+function facesAt(x, y) {
+  const found = [];
   for (const group of groups.filter((g) => g.shown)) {
     const count = group.points.length / 3, at = new Float32Array(3 * count);
     for (let i = 0; i < count; ++i)
       at.set(place([...group.points.subarray(3 * i, 3 * i + 3)]), 3 * i);
-    for (const face of group.faces)
+    for (const face of group.faces) {
+      let nearest = -Infinity;
       for (let t = face.first; t < face.first + face.count; t += 3) {
         const [i, j, k] = [group.corners[t] * 3, group.corners[t + 1] * 3, group.corners[t + 2] * 3];
         const ax = at[i] - x, ay = at[i + 1] - y, bx = at[j] - x, by = at[j + 1] - y;
@@ -222,10 +224,25 @@ function faceAt(x, y) {
         const u = bx * cy - by * cx, v = cx * ay - cy * ax, w = ax * by - ay * bx, whole = u + v + w;
         if (whole === 0 || u / whole < 0 || v / whole < 0 || w / whole < 0) continue;
         const depth = (u * at[i + 2] + v * at[j + 2] + w * at[k + 2]) / whole;
-        if (!best || depth > best.depth) best = { group, face, depth };
+        nearest = Math.max(nearest, depth);
       }
+      if (nearest > -Infinity) found.push({ group, face, depth: nearest });
+    }
   }
-  return best;
+  return found.sort((a, b) => b.depth - a.depth);
+}
+
+const labelOf = ({ group, face }) => face.label || group.name;
+
+// Each once, what is seen through the first of these faces.
+function seenThrough(faces) {
+  const labels = new Set();
+  for (const [k, { group }] of faces.entries()) {
+    if (k > 0) labels.add(labelOf(faces[k]).replaceAll("\n", ", "));
+    if (group.opacity >= kOpaque) break;
+  }
+  if (faces.length > 0) labels.delete(labelOf(faces[0]).replaceAll("\n", ", "));
+  return [...labels];
 }
 
 // How far a place is from a segment on the canvas, and how near to the eye that is.
@@ -257,10 +274,12 @@ function itemAt(x, y, front) {
 }
 
 function pick(x, y) {
-  const face = faceAt(x, y), item = itemAt(x, y, face ? face.depth : -Infinity);
-  picked = item ?? face;
-  const label = item ? item.item.label || item.layer.name : face ? face.face.label || face.group.name : "";
+  const faces = facesAt(x, y), item = itemAt(x, y, faces.length > 0 ? faces[0].depth : -Infinity);
+  picked = item ?? faces[0];
+  const label = item ? item.item.label || item.layer.name : picked ? labelOf(picked) : "";
+  const behind = item ? [] : seenThrough(faces);
   element("picked").textContent = label || "Nothing there.";
+  element("behind").textContent = behind.length > 0 ? "seen through it: " + behind.join("; ") : "";
   document.body.dataset.picked = label;
   redraw();
 }

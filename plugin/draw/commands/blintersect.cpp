@@ -116,10 +116,9 @@ std::string intersect_named(const Words& words) {
 const Command kBlintersect{
     "blintersect", "result shapeA shapeB [tolerance]",
     "\n\t\t: all intersections of the faces of two shapes, or of the edges of one without faces,"
-    "\n\t\t: as a compound of wires,"
-    "\n\t\t: each stretch once, and of vertices at isolated contacts. The answer is the number of"
-    "\n\t\t: curves, one across seams counted once, and complete, tolerance or"
-    "\n\t\t: stopped; then for each isolated contact where it is and what of A and"
+    "\n\t\t: as a compound of wires, each stretch once, and of vertices at isolated contacts."
+    "\n\t\t: The answer is the number of curves, one across seams counted once, and complete,"
+    "\n\t\t: tolerance or stopped; then for each isolated contact where it is, and what of A and"
     "\n\t\t: B it is on: {{x y z} {edge 3} {face 1}}.",
     intersect_named};
 

@@ -18,6 +18,7 @@ OPERATIONS = ("cut", "common", "fuse", "split")
 SMOOTHNESS = ("G0", "G1", "G2")
 LAYOUTS = ("auto", "star", "ring", "deep-ring")
 TARGETS = ("bezier", "monomial", "triangles")
+PATCHES = ("bezier", "triangles")
 EDGE_WORDS = ("all", "convex", "concave")
 SIDES = ("umax", "umin", "vmax", "vmin")
 STRIP_ORDERS = ("G1", "G2", "G3")
@@ -113,12 +114,17 @@ def path(value: Any, name: str) -> str:
     raise TypeError(f"{name}: a str or a Path is wanted, got {kind(value)}")
 
 
+def members(value: Any, name: str, wanted: str) -> List[Any]:
+    """What is in a list, or in what else has members."""
+    try:
+        return list(value)
+    except TypeError:
+        raise TypeError(f"{name}: {wanted} wanted, got {kind(value)}") from None
+
+
 def vector(value: Any, name: str) -> Triple:
     """Three finite numbers: a sequence, an array, or FreeCAD's Vector."""
-    try:
-        parts = list(value)
-    except TypeError:
-        raise TypeError(f"{name}: three numbers are wanted, got {kind(value)}") from None
+    parts = members(value, name, "three numbers are")
     if isinstance(value, (str, bytes)):
         raise TypeError(f"{name}: three numbers are wanted, got {kind(value)}")
     if len(parts) != 3:
@@ -180,14 +186,15 @@ def _in_list(value: Any) -> Any:
 
 MESH_FILES = (".stl", ".ply", ".obj", ".off")
 
-_FACE_RANGE = re.compile(r"([1-9]\d{0,8})-([1-9]\d{0,8})")
+# "5-9"
+FACE_RANGE = re.compile(r"([1-9]\d{0,8})-([1-9]\d{0,8})")
 
 
 def chosen_faces(text: str, name: str, count: int) -> List[int]:
     """Of "3,5-9,Face12", what an input of the command line has after its '#', of so many faces."""
     made: List[int] = []
     for entry in text.split(","):
-        if found := _FACE_RANGE.fullmatch(entry):
+        if found := FACE_RANGE.fullmatch(entry):
             first, last = int(found[1]), int(found[2])
         else:
             first = last = entity(int(entry) if entry.isdecimal() else entry, name, "face")
@@ -199,8 +206,9 @@ def chosen_faces(text: str, name: str, count: int) -> List[int]:
 
 def smoothness(value: Any, name: str, edges: int) -> List[str]:
     """One word for all edges, or one for each."""
-    words = [value] if isinstance(value, str) else list(value)
-    made = [word(each, name, SMOOTHNESS) for each in words]
+    words = _in_list(value)
+    wanted = "one of G0, G1, G2, or a list of them is"
+    made = [word(each, name, SMOOTHNESS) for each in members(words, name, wanted)]
     if len(made) != 1 and len(made) != edges:
         raise ValueError(f"{name}: one word, or one for each edge is wanted, got {len(made)}")
     return made
@@ -210,10 +218,7 @@ def number_list(value: Any, name: str, count: int) -> List[float]:
     """So many finite numbers; none if there is no value."""
     if value is None:
         return []
-    try:
-        parts = list(value)
-    except TypeError:
-        raise TypeError(f"{name}: {count} numbers are wanted, got {kind(value)}") from None
+    parts = members(value, name, f"{count} numbers are")
     if len(parts) != count:
         raise ValueError(f"{name}: {count} numbers are wanted, got {len(parts)}")
     return [number(part, name) for part in parts]

@@ -162,6 +162,7 @@ class Intersection(Result):
     def parts_b(self) -> Dict[str, List[int]]:
         return dict(self._told()["parts_b"])
 
+    @property
     def wires(self) -> List[List[Array]]:
         """For each chain the points of its curves, each in the direction of the chain."""
         return [

@@ -63,7 +63,7 @@ class Mesh(Selective):
         return bool(self._told()["closed"])
 
     def write(self, path: Union[str, "os.PathLike[str]"], text: bool = False, **options: Any) -> None:
-        """Writes the triangles to a file: .stl, .ply, .obj, .off; .glb is written by models.
+        """Writes the triangles to a file: .stl, .ply, .obj, .off, .3mf; .glb is written by models.
 
         text   .stl and .ply are not binary
         """

@@ -63,7 +63,7 @@ class MadeShape:
         **options: Any,
     ) -> None:
         """Writes the shape to a file: .step, .iges, .brep; or its triangles: .stl, .ply, .obj, .off,
-        .glb. The file is there whole or not at all.
+        .3mf, .glb. The file is there whole or not at all.
 
         deviation, angle, edge_length, aspect   of triangles, see `Model.mesh`
         text                                    .stl and .ply are not binary

@@ -50,6 +50,8 @@ def _core_model(shape: Any, name: str) -> _core.Model:
         return _core.read_bytes(exported, name, True)
     # Which of its places is meant, only who gives it knows.
     held = "; its Shape is one, without the places of containers" if hasattr(shape, "Shape") else ""
+    if isinstance(getattr(shape, "_core", None), _core.Triangles):
+        held = "; a mesh answers itself, as mesh.check() or mesh.intersect(model)"
     raise TypeError(f"{name}: {_WANTED}, got {_checks.kind(shape)}{held}")
 
 
@@ -64,13 +66,19 @@ def _warn(text: str) -> None:
 def core_of_file(path: str, name: str, strict: bool, control: _core.Control) -> _core.Model:
     """The model of a file, or of what is named in it: "part.step#3,5-9", "part.step#Shaft"; a file
     that is called so wins."""
+    file, words = file_and_words(path)
+    model = _told_core(file, name, strict, control)
+    return part_named(model, words, name, path) if words else model
+
+
+def file_and_words(path: str) -> Tuple[str, str]:
+    """The name of a file, and what is named in it behind a "#", if anything is."""
     file = path
     while "#" in file and not os.path.exists(file):  # names of parts may have the letter, too
         file = file.rpartition("#")[0]
-    if file == path or not os.path.exists(file):
-        return _told_core(path, name, strict, control)
-    model = _told_core(file, name, strict, control)
-    return part_named(model, path[len(file) + 1 :], name, path)
+    if not os.path.exists(file):
+        return path, ""
+    return file, path[len(file) + 1 :]
 
 
 def _told_core(path: str, name: str, strict: bool, control: _core.Control) -> _core.Model:
@@ -161,8 +169,14 @@ def net_model(net: Any, name: str) -> _core.Model:
     return _core.net_face(array, None, None, name)
 
 
+_NUMBERS = "a list of numbers is"
+
+
 def _numbers(net: Any, name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
-    array = np.asarray(net)
+    try:
+        array = np.asarray(net)
+    except ValueError:
+        raise ValueError(f"{name}: the rows are not all of one length") from None
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{name}: a net holds numbers, got {array.dtype}")
     return np.ascontiguousarray(array, dtype=np.float64)
@@ -213,8 +227,11 @@ def _knot_vector(
         raise ValueError(f"{name}: knots, multiplicities and degree go together")
     return _core.KnotVector(
         degree=_checks.whole(degree, "degree", 1),
-        knots=[_checks.number(knot, name) for knot in knots],
-        multiplicities=[_checks.whole(each, "multiplicities", 1) for each in multiplicities],
+        knots=[_checks.number(knot, name) for knot in _checks.members(knots, name, _NUMBERS)],
+        multiplicities=[
+            _checks.whole(each, "multiplicities", 1)
+            for each in _checks.members(multiplicities, "multiplicities", _NUMBERS)
+        ],
     )
 
 

@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes of triangles as they are, from files, arrays and other programs."""
 
+import math
 import os
 from typing import Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
-from . import _checks, _core
+from . import _checks, _core, _shapes
+from ._forms import NetResult
 from ._results import Array, Indices, Result, counted
 
 Colour = Tuple[int, int, int]
+
+CREASE = math.radians(40)  # kUsualCrease in plugin/cli/commands/meshes/mesh_picture.h
 
 
 class MeshCheck(Result):
@@ -156,6 +160,28 @@ class MeshDistance(Result):
         return f"{self.status}, between {low:.6g} and {high:.6g}"
 
 
+class MeshPatches(NetResult):
+    """Curved patches over triangles, of degree 4: a list of nets, three for each triangle."""
+
+    @property
+    def smooth_sides(self) -> int:
+        """Sides between two triangles over which patches have one tangent plane."""
+        return int(self._told()["smooth_sides"])
+
+    @property
+    def sharp_sides(self) -> int:
+        """Sides between two others: creases, and sides at the end of one."""
+        return int(self._told()["sharp_sides"])
+
+    @property
+    def largest_angle(self) -> float:
+        """Between normals of both patches over smooth sides, where they were measured, radians."""
+        return float(self._told()["largest_angle"])
+
+    def _summary(self) -> str:
+        return f"{len(self)} patches of {counted(self._told()['triangles'], 'triangle')}"
+
+
 class Triangles:
     """A mesh of triangles; made by `blossom.from_mesh`."""
 
@@ -229,6 +255,26 @@ class Triangles:
             state["name"], state["vertices"], state["triangles"], state["groups"]
         )
 
+    def part(self, groups: Any) -> "Triangles":
+        """Some groups, by their numbers from 1 on or by names: "Shaft/Face3"; "Shaft" is all of a
+        part, and "Face3" will do where one group alone ends so. Also as "Shaft,5-9"."""
+        numbers, names = _chosen_groups(groups, "groups", len(self._core.groups))
+        words = groups if isinstance(groups, str) else ",".join(map(str, [*numbers, *names]))
+        return Triangles(_core.mesh_part(self._core, numbers, names, f"{self.name}#{words}"))
+
+    def info(self, **options: Any) -> Dict[str, Any]:
+        """What it is, as `blossom info` reports it: counts, parts, groups, volume, area, box."""
+        return _core.info_mesh(self._core, _checks.control(options)).report(True)
+
+    def convert(self, to: str = "bezier", *, crease: float = CREASE, **options: Any) -> MeshPatches:
+        """Curved patches through its corners, which meet smoothly but where it has creases.
+
+        to       "bezier": patches of four sides, one of which is a point; or "triangles"
+        crease   sides at which neighbours turn by so much stay sharp; radians
+        """
+        form, sharp = _checks.word(to, "to", _checks.PATCHES), _checks.angle(crease, "crease")
+        return MeshPatches(_core.curve_mesh(self._core, form, sharp, _checks.control(options)))
+
     def check(self, **options: Any) -> MeshCheck:
         """Whether it is closed, turned one way, crosses itself, and what it encloses: exactly."""
         return MeshCheck(_core.check_mesh(self._core, _checks.control(options)))
@@ -277,16 +323,37 @@ class Triangles:
     def write(
         self, path: Union[str, "os.PathLike[str]"], text: bool = False, **options: Any
     ) -> None:
-        """Writes it to a file: .stl, .ply, .obj, .off, with groups and colours as far as the format
-        has them.
+        """Writes it to a file: .stl, .ply, .obj, .off, .3mf, with groups and colours as far as the
+        format has them.
 
         text   .stl and .ply are not binary
         """
         file = _checks.path(path, "path")
         if not _checks.is_of_triangles(file) or file.lower().endswith(".glb"):
-            raise ValueError(f"path: {file} does not end with .stl, .ply, .obj or .off")
+            raise ValueError(f"path: {file} does not end with .stl, .ply, .obj, .off or .3mf")
         as_text = _checks.flag(text, "text")
         _core.write_triangles(self._core, file, as_text, _checks.control(options))
+
+
+def _chosen_groups(value: Any, name: str, count: int) -> Tuple[List[int], List[str]]:
+    """Numbers and names of a mesh's groups, which has so many: of "Shaft/Face3,5-9", or a list."""
+    try:
+        listed = value.split(",") if isinstance(value, str) else list(value)
+    except TypeError:
+        raise TypeError(f"{name}: groups are wanted, got {_checks.kind(value)}") from None
+    made: List[int] = []
+    names: List[str] = []
+    for each in listed:
+        found = _checks.FACE_RANGE.fullmatch(each) if isinstance(each, str) else None
+        if found:
+            made.extend(range(int(found[1]), min(int(found[2]), count + 1) + 1))
+        elif isinstance(each, str) and not each.isdecimal():
+            names.append(_checks.text(each, name))
+        else:
+            made.append(_checks.whole(int(each) if isinstance(each, str) else each, name, 1))
+    if not made and not names:
+        raise ValueError(f"{name}: there is no group in it")
+    return made, names
 
 
 def _rows(value: Any, name: str, kind: Any) -> Any:
@@ -309,9 +376,10 @@ def _is_file(source: Any) -> bool:
 def from_mesh(source: Any, triangles: Any = None, **options: Any) -> Triangles:
     """A mesh of triangles.
 
-    source      a file .stl, .ply, .obj or .off; an array of vertices, (n, 3), with `triangles`; an
-                answer of `mesh`; a mesh of FreeCAD or its object; or an object with `vertices` and
-                `faces`, as trimesh has them
+    source      a file .stl, .ply, .obj or .off, perhaps with groups of it: "a.obj#Shaft/Face3"; an
+                array of vertices, (n, 3), with `triangles`; an answer of `mesh`; a mesh of FreeCAD,
+                or its object, which counts where its containers show it; or an object with
+                `vertices` and `faces`, as trimesh has them
     triangles   rows of vertices, counter-clockwise from outside, (m, 3)
     """
     control = _checks.control(options)
@@ -321,22 +389,61 @@ def from_mesh(source: Any, triangles: Any = None, **options: Any) -> Triangles:
     if isinstance(source, Triangles):
         return source
     if _is_file(source):
-        return Triangles(_core.read_mesh(_checks.path(source, "source"), control))
+        file, words = _shapes.file_and_words(_checks.path(source, "source"))
+        read = Triangles(_core.read_mesh(file, control))
+        return read.part(words) if words else read
+    try:
+        made = _of_object(source)
+    except ReferenceError as gone:  # FreeCAD's word for what belonged to a closed document
+        raise ValueError("source: the object is deleted, or its document closed") from gone
+    if made is None:
+        raise TypeError(f"source: {_WANTED}; got {_checks.kind(source)}")
+    return made
+
+
+_WANTED = (
+    "a mesh is wanted, as a file of triangles, vertices with triangles, an answer of mesh(), or a "
+    "mesh of FreeCAD or trimesh"
+)
+
+
+def _of_object(source: Any) -> Optional[Triangles]:
+    """Of other programs, and of answers; None if it has no triangles."""
     label = str(getattr(source, "Label", "mesh"))
-    source = getattr(source, "Mesh", source)  # an object of FreeCAD has one
-    if hasattr(source, "Topology"):
-        points, facets = source.Topology
+    mesh = getattr(source, "Mesh", source)  # an object of FreeCAD has one
+    if hasattr(mesh, "Topology"):
+        points, facets = mesh.Topology
         vertices = np.array([(p.x, p.y, p.z) for p in points], float).reshape(-1, 3)
         corners = _rows(np.array(facets).reshape(-1, 3), "source", np.int32)
-        return Triangles(_core.mesh_of_arrays(label, vertices, corners, []))
+        shown = vertices if mesh is source else _where_shown(vertices, mesh, source)
+        return Triangles(_core.mesh_of_arrays(label, shown, corners, []))
     if hasattr(source, "names") and hasattr(source, "vertices"):  # an answer of `mesh`
         corners = np.array(source.triangles)
         return Triangles(
             _core.mesh_of_arrays(label, np.array(source.vertices), corners, source._groups())
         )
     if hasattr(source, "vertices") and hasattr(source, "faces"):
-        return from_mesh(source.vertices, source.faces, **options)
-    raise TypeError(f"source: a mesh is wanted, got {_checks.kind(source)}")
+        return from_mesh(source.vertices, source.faces)
+    return None
+
+
+def _where_shown(vertices: Array, mesh: Any, shown: Any) -> Array:
+    """Vertices that a mesh of FreeCAD has, where an object with it, or a link to that, shows them,
+    and its containers."""
+    place, container = _own_place(shown), shown.getParentGeoFeatureGroup()
+    if container is not None:
+        place = container.getGlobalPlacement().multiply(place)
+    matrix = np.array(place.multiply(mesh.Placement.inverse()).toMatrix().A, float).reshape(4, 4)
+    placed: Array = vertices @ matrix[:3, :3].T + matrix[:3, 3]
+    return placed
+
+
+def _own_place(shown: Any) -> Any:
+    """The placement of an object of FreeCAD; of a link its own, before that of what it links to if
+    it wants that."""
+    if shown.hasExtension("App::LinkBaseExtension") and shown.LinkTransform:
+        return shown.Placement.multiply(_own_place(shown.LinkedObject))
+    return shown.Placement
 
 
 def _is_mesh(other: Any) -> bool:

@@ -114,14 +114,13 @@ class Browser:
         os.close(self.at)
 
 
-class PageInBrowser(unittest.TestCase):
+class Pages(unittest.TestCase):
+    """The sample's parts, a browser, and no complaints of it."""
+
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        cls.page = os.path.join(cls.folder.name, "page.html")
         subprocess.run([os.environ["BLOSSOM_MAKE_PARTS"], cls.folder.name], check=True)
-        parts = [os.path.join(cls.folder.name, name) for name in ("hull.step", "cutters.step")]
-        subprocess.run([PROGRAM, "intersect", *parts, "--html", cls.page, "--quiet"], check=True)
         cls.browser = Browser(os.path.join(cls.folder.name, "profile"))
 
     @classmethod
@@ -129,17 +128,54 @@ class PageInBrowser(unittest.TestCase):
         cls.browser.close()
         cls.folder.cleanup()
 
-    def setUp(self):
-        self.browser.open(self.page)
+    @classmethod
+    def made(cls, *command):
+        """A page that a command writes."""
+        page = os.path.join(cls.folder.name, "page.html")
+        subprocess.run([PROGRAM, *command, "--html", page, "--quiet"], check=True, cwd=cls.folder.name)
+        return page
 
     def tearDown(self):
         self.assertEqual(self.browser.complaints(), [])
 
+    def picked(self, box="picked"):
+        return self.browser.value(f"document.getElementById('{box}').textContent")
+
+
+class PagesOfCommands(Pages):
+    def click_the_middle_of(self, *command):
+        self.browser.open(self.made(*command))
+        self.browser.click(*self.browser.value("[canvas.clientWidth / 2, canvas.clientHeight / 2]"))
+
+    def test_what_is_seen_through_a_clicked_part_is_told_too(self):
+        self.click_the_middle_of("clash", "block.step", "drill.step")
+        self.assertEqual(self.picked(), "Block")
+        self.assertRegex(self.picked("behind"), r"^seen through it: .*Block and Drill, volume 4021\.24 mm³$")
+
+    def test_nothing_is_seen_through_what_is_opaque(self):
+        self.click_the_middle_of("info", "block.step")
+        self.assertRegex(self.picked(), "^face 6")
+        self.assertEqual(self.picked("behind"), "")
+
+    def test_meshes_are_shown_by_their_groups(self):
+        subprocess.run([PROGRAM, "convert", "block.step", "-o", "block.obj", "--quiet"], check=True,
+                       cwd=self.folder.name)
+        self.click_the_middle_of("info", "block.obj")
+        self.assertEqual(self.picked(), "Block/Face6\n2 triangles")
+        self.assertEqual(self.browser.value("document.body.dataset.triangles"), "12")
+
+
+class PageInBrowser(Pages):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.page = cls.made("intersect", "hull.step", "cutters.step")
+
+    def setUp(self):
+        self.browser.open(self.page)
+
     def place_on_curve(self):
         return self.browser.value("blossomPage.placeOf(blossomPage.layers.indexOf('crossing'), 0, 0.5)")
-
-    def picked(self):
-        return self.browser.value("document.getElementById('picked').textContent")
 
     def test_is_drawn(self):
         self.assertGreater(int(self.browser.value("document.body.dataset.triangles")), 100)

@@ -10,6 +10,7 @@ import Mesh
 import Part
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import blossom  # noqa: E402
 from claims import claim, near, run, says, valid  # noqa: E402
 from freecad.blossom import clash, drawing, make, meshes  # noqa: E402
 
@@ -300,6 +301,117 @@ def mesh_objects_answer_to_questions(document):
     claim("what is not there is an error", "they do not meet" in said)
 
 
+def turned_meshes_in_turned_containers_are_where_they_are_shown(document):
+    scan = document.addObject("Mesh::Feature", "Scan")
+    scan.Mesh = Mesh.createBox(10, 10, 10)
+    scan.Placement = FreeCAD.Placement(V(100, 0, 0), FreeCAD.Rotation(V(0, 0, 1), 30))
+    holder = document.addObject("App::Part", "Holder")
+    holder.addObject(scan)
+    holder.Placement = FreeCAD.Placement(V(0, 2.5, 0.5), FreeCAD.Rotation(V(1, 0, 0), 20))
+    document.recompute()
+    shown = scan.getGlobalPlacement()
+    corners = [shown.multVec(V(x, y, z)) for x in (-5, 5) for y in (-5, 5) for z in (-5, 5)]
+    for each in (meshes.triangles(scan), blossom.from_mesh(scan)):
+        off = max(min(corner.distanceToPoint(V(*v)) for corner in corners) for v in each.vertices)
+        claim("corners are where they are shown", len(each.vertices) == 8 and off < 1e-5)
+    same = document.addObject("Part::Box", "Same")
+    same.Length = same.Width = same.Height = 10
+    same.Placement = FreeCAD.Placement(V(100, 0, 0), FreeCAD.Rotation(V(0, 0, 1), 30)).multiply(
+        FreeCAD.Placement(V(-5, -5, -5), FreeCAD.Rotation())
+    )
+    holder.addObject(same)
+    document.recompute()
+    claim("a box in the same place is as far as rounding", meshes.distance(scan, same).bounds[1] < 1e-5)
+
+
+def links_count_where_they_are(document):
+    scan = document.addObject("Mesh::Feature", "Scan")
+    scan.Mesh = Mesh.createBox(10, 10, 10)
+    scan.Placement = FreeCAD.Placement(V(7, 0, 0), FreeCAD.Rotation(V(0, 0, 1), 90))
+    holder = document.addObject("App::Part", "Holder")
+    holder.Placement = FreeCAD.Placement(V(0, 50, 0), FreeCAD.Rotation(V(1, 0, 0), 30))
+    link = document.addObject("App::Link", "Link")
+    link.LinkedObject = scan
+    link.Placement.Base = V(100, 0, 0)
+    box = document.addObject("Part::Box", "Block")
+    box.Length = box.Width = box.Height = 10
+    other = document.addObject("App::Link", "Other")
+    other.LinkedObject = box
+    other.Placement.Base = V(95, -5, -5)
+    for transform in (False, True):
+        link.LinkTransform = transform
+        document.recompute()
+        middle = V(107, 0, 0) if transform else V(100, 0, 0)
+        for each in (meshes.triangles(link), blossom.from_mesh(link)):
+            claim("a link is where it is shown", V(*each.vertices.mean(0)).distanceToPoint(middle) < 1e-5)
+        away = 7 if transform else 0
+        claim("as is a link to a shape", abs(meshes.distance(link, other).bounds[1] - away) < 1e-3)
+    holder.addObject(link)
+    document.recompute()
+    middle = holder.Placement.multVec(V(107, 0, 0))
+    claim(
+        "also in a container",
+        V(*meshes.triangles(link).vertices.mean(0)).distanceToPoint(middle) < 1e-5,
+    )
+
+
+def planes_by_links_are_where_they_are_shown(document):
+    block = box(document)
+    line = document.addObject("Part::Feature", "Line")
+    line.Shape = Part.makeLine(V(0, 0, 0), V(1, 0, 0))
+    line.Placement.Base = V(0, 0, 3)
+    holder = document.addObject("App::Part", "Holder")
+    holder.Placement.Base = V(0, 0, 1)
+    for transform, height in ((False, 2), (True, 5)):
+        link = document.addObject("App::Link", "Link")
+        link.LinkedObject, link.LinkTransform = line, transform
+        link.Placement.Base = V(0, 0, 2)
+        document.recompute()
+        cut = make.section(document, block, link)
+        document.recompute()
+        claim("the plane is where the link is", near(cut.Shape.BoundBox.ZMax, height))
+        holder.addObject(link)
+        cut = make.section(document, block, (holder, f"{link.Name}."))
+        document.recompute()
+        claim("also in a container", near(cut.Shape.BoundBox.ZMax, height + 1))
+
+
+def what_no_question_of_meshes_can_take_is_told(document):
+    box = document.addObject("Part::Box", "Block")
+    scan = document.addObject("Mesh::Feature", "Scan")
+    document.recompute()
+    for ask, words in (
+        (lambda: meshes.check(3), "a Mesh object is wanted, got int"),
+        (lambda: meshes.check(box), "Block is no mesh"),
+        (lambda: meshes.check(scan), "Scan has no triangles"),
+        (lambda: meshes.section(None, scan, (0, 0, 0), (0, 0, 1)), "a document is wanted, got NoneType"),
+    ):
+        claim(f"it says: {words}", told(ask) == words)
+    scan.Mesh = Mesh.createBox(10, 10, 10)
+    cut = make.section(document, scan)
+    cut.Proxy.begin(cut)  # as the command does before its panel, which says the same
+    document.recompute()
+    words = "Scan is a mesh, not a shape; in Python freecad.blossom.meshes takes it"
+    claim("shapes are not made of meshes", says(cut, words))
+    FreeCAD.closeDocument(document.Name)
+    closed = "the object is deleted, or its document closed"
+    for ask in (
+        lambda: meshes.check(scan),
+        lambda: make.section(document, box),
+        lambda: drawing.write(cut, "cut.dxf"),
+    ):
+        claim("a closed document is told", told(ask) == closed)
+
+
+def told(ask):
+    """What a TypeError or a ValueError says."""
+    try:
+        ask()
+    except (TypeError, ValueError) as error:
+        return str(error)
+    return ""
+
+
 run(
     chamfer_cuts_edges_off,
     fillets_may_change_and_be_conics,
@@ -311,4 +423,8 @@ run(
     mesh_is_of_freecads_kind,
     wrong_lines_are_told_and_leave_nothing,
     mesh_objects_answer_to_questions,
+    turned_meshes_in_turned_containers_are_where_they_are_shown,
+    links_count_where_they_are,
+    planes_by_links_are_where_they_are_shown,
+    what_no_question_of_meshes_can_take_is_told,
 )

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Stations of the tour: the window while work goes on, and its end."""
 
+import gc
 import math
 import time
 
@@ -8,6 +9,7 @@ import FreeCAD
 import FreeCADGui
 from PySide2 import QtCore, QtGui, QtWidgets
 
+from freecad.blossom.panel import Panel
 from hands import (
     SETTLED, Pulse, V, bumps, busy, claim, found, gone, look, new_document, picture, press, said, select,
     wave, widget, window,
@@ -72,11 +74,15 @@ def work():
     press("Ok")
     claim("the window answers during a recompute", pulse.told("recompute") > LEAST_ANSWERS)
     claim("the button ends it", "cancelled" in said())
+    panels = [each for each in gc.get_objects() if isinstance(each, Panel)]
+    panel = next(each for each in panels if each._document == document.Name)
     press("Cancel")
     claim(
         "Cancel leaves the document as it was",
         [o.Name for o in document.Objects] == ["Low", "High"],
     )
+    panel._look()  # as by the clock while a cancelled recompute of others pumps events
+    claim("a look that comes late finds no one", panel.reject())
 
     select(document, ("Low", "Face1"), ("High", "Face1"))
     FreeCADGui.runCommand("Blossom_Intersection")

@@ -99,5 +99,25 @@ TEST(MeshParts, AreGroupsByNumberAndName) {
   EXPECT_THROW(chosen_groups(box(), {}, {"roof"}, "a.ply"), occt::BadModel);
 }
 
+TEST(MeshParts, AreNamedByTheirPartOrTheEndOfTheirName) {
+  FileMesh mesh = box();
+  mesh.groups = {{"House/Floor", 0}, {"House/Wall", 2}, {"Shed/Wall", 6}};
+  const auto chosen = [&](const char* name) { return chosen_groups(mesh, {}, {name}, "a.ply"); };
+  const auto refusal = [&](const char* name) -> std::string {
+    try {
+      chosen(name);
+    } catch (const occt::BadModel& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(chosen("House").triangles.size(), 6u);
+  EXPECT_EQ(chosen("Floor").groups, (std::vector<MeshGroup>{{"House/Floor", 0}}));
+  EXPECT_EQ(refusal("Wall"), "a.ply: 'Wall' may be 'House/Wall' or 'Shed/Wall'");
+  EXPECT_EQ(
+      refusal("Roof"),
+      "a.ply: there is no group 'Roof'; there are 'House/Floor', 'House/Wall' and 'Shed/Wall'");
+}
+
 }  // namespace
 }  // namespace blossom::meshes

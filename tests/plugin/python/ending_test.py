@@ -47,7 +47,7 @@ class Ending(unittest.TestCase):
 
         with self.assertRaisesRegex(KeyError, "enough"):
             blossom.intersect(*HARD, time_limit=60, nice=7, progress=progress, **HARD_OPTIONS)
-        self.assertIn(own + 7, seen)
+        self.assertIn(min(own + 7, 19), seen)  # the system's last one
         self.assertEqual(os.getpriority(os.PRIO_PROCESS, threading.get_native_id()), own)
         with self.assertRaisesRegex(ValueError, "^nice: 20 is more than 19$"):
             blossom.intersect(FLOOR, WALL, nice=20)

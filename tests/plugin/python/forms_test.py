@@ -177,6 +177,8 @@ class Fills(unittest.TestCase):
         ):
             with self.subTest(options), self.assertRaisesRegex(ValueError, message):
                 BLOCK.fill(**options)
+        with self.assertRaisesRegex(TypeError, "^continuity: one of G0, .* is wanted, got int$"):
+            BLOCK.fill(continuity=1)
         with self.assertRaisesRegex(ValueError, "holes are filled in whole models"):
             BLOCK.face(1).fill()
 

@@ -147,6 +147,9 @@ class Answers(unittest.TestCase):
         self.assertTrue(chain.closed)
         self.assertEqual(sorted(place for place, _ in chain.curves), list(range(len(found.curves))))
         self.assertAlmostEqual(chain.length, 1.2 * np.pi, places=9)
+        (wire,) = found.wires
+        for piece, after in zip(wire, wire[1:] + wire[:1]):
+            np.testing.assert_allclose(piece[-1], after[0], atol=1e-9)
 
     def test_weights_make_a_cylinder(self):
         w = np.sqrt(0.5)

@@ -150,7 +150,7 @@ class Meshes(unittest.TestCase):
         for error, message, call in (
             (ValueError, "^deviation: -1.0 is not positive", lambda: DRILL.mesh(-1)),
             (TypeError, "^angle: a number is wanted", lambda: DRILL.mesh(angle="x")),
-            (ValueError, "does not end with .stl, .ply, .obj or .off", lambda: made.write("a.glb")),
+            (ValueError, "does not end with .stl, .ply, .obj, .off or .3mf", lambda: made.write("a.glb")),
             (ValueError, "has no triangles", lambda: DRILL.write("a.step", deviation=1)),
             (TypeError, "^text: True or False", lambda: DRILL.write("a.stl", text=1)),
             (blossom.Error, "Mesh: there is no shape in this answer", made.to_brep),

@@ -94,6 +94,52 @@ class MeshQuestions(unittest.TestCase):
         np.testing.assert_array_equal(again.vertices, mesh.vertices)
         self.assertEqual(again.groups, mesh.groups)
 
+    def test_groups_are_named_as_by_the_command_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "block.obj")
+            blossom.read(FILES / "block.step").mesh(1).write(file)
+            for name in ("Block/Face3", "Face3", "3"):
+                part = blossom.from_mesh(f"{file}#{name}")
+                self.assertEqual((len(part), list(part.groups)), (2, ["Block/Face3"]))
+                self.assertEqual(part.name, f"{file}#{name}")
+            whole = blossom.from_mesh(file)
+            self.assertEqual(len(whole.part("Block")), len(whole))
+            self.assertEqual(len(whole.part([1, "Face3"])), 4)
+            self.assertEqual(len(blossom.from_mesh(f"{file}#2,4-6")), 8)
+            with self.assertRaisesRegex(ValueError, "no group 'Roof'; there are 'Block/Face1'"):
+                whole.part("Roof")
+            with self.assertRaisesRegex(ValueError, "no group 7; it has 6"):
+                whole.part([7])
+            with self.assertRaisesRegex(TypeError, "^groups: groups are wanted, got int$"):
+                whole.part(3)
+
+    def test_info_is_that_of_the_command_line(self):
+        told = cube().info()
+        self.assertEqual(told["schema"], "blossom.mesh-info/1")
+        self.assertEqual((told["triangles"], told["closed"]), (12, True))
+
+    def test_reports_tell_what_reading_a_model_lost(self):
+        for found in (cube().distance(FILES / "block.step"), cube().intersect(FILES / "drill.step")):
+            self.assertEqual(found.to_dict()["reading"][0]["grade"], "whole")
+
+    def test_triangles_become_curved_patches(self):
+        ball = blossom.from_mesh(blossom.read(FILES / "drill.step").mesh(0.1))
+        made = ball.convert()
+        self.assertEqual((len(made), made.nets[0].degree), (3 * len(ball), (4, 4)))
+        self.assertEqual(made.to_dict()["schema"], "blossom.mesh-patches/1")
+        self.assertLess(made.largest_angle, 1e-6)
+        self.assertAlmostEqual(made.model.area, ball.check().area, delta=0.01 * ball.check().area)
+        sharp = cube().convert("triangles", crease=0.5)
+        self.assertEqual((sharp.smooth_sides, sharp.sharp_sides, sharp.nets[0].kind), (6, 12, "triangle"))
+        with self.assertRaisesRegex(ValueError, "^to: 'monomial' is none of bezier, triangles$"):
+            cube().convert("monomial")
+
+    def test_what_is_no_mesh_is_told_what_is(self):
+        with self.assertRaisesRegex(TypeError, "a mesh is wanted, as a file .*; got Model$"):
+            blossom.from_mesh(blossom.read(FILES / "block.step"))
+        with self.assertRaisesRegex(TypeError, "got Triangles; a mesh answers itself, as mesh.check"):
+            blossom.check(cube())
+
     def test_errors_are_words(self):
         bad = CORNERS.copy()
         bad[3, 1] = np.nan

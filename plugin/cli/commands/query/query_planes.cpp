@@ -155,11 +155,14 @@ std::vector<NamedPlane> planes_at(const std::string& offsets, const occt::Plane&
     to = number(first + 1, second);
     count = number(second + 1, std::string::npos);
   }
-  if (!from || !to || !count || *count != std::floor(*count) || *count < 1 || *count > kMaxPlanes ||
-      (*count == 1 && *from != *to))
+  if (!from || !to || !count)
     throw UsageError("--offsets: '" + offsets +
                      "' is neither one offset nor FROM:TO:NUMBER, so many planes from the first "
                      "offset to the last");
+  if (*count != std::floor(*count) || *count < 1 || *count > kMaxPlanes ||
+      (*count == 1 && *from != *to))
+    throw UsageError("--offsets: the NUMBER of '" + offsets + "' is not a whole one from 2 to " +
+                     std::to_string(kMaxPlanes));
   std::vector<NamedPlane> planes;
   const auto all = static_cast<int>(*count);
   for (int i = 0; i < all; ++i) {

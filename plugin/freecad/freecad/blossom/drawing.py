@@ -7,7 +7,7 @@
 FreeCAD's File > Export calls `export`.
 """
 
-from . import work
+from . import links, work
 from .section import Section
 
 DOING = "Drawing"
@@ -37,4 +37,4 @@ def write(obj, file):
 
 
 def is_section(obj):
-    return isinstance(getattr(obj, "Proxy", None), Section)
+    return links.has(obj, "Proxy") and isinstance(obj.Proxy, Section)

@@ -13,6 +13,21 @@ import Part
 from . import door
 
 
+def has(thing, name):
+    """Whether it has an attribute. throws ValueError if it is deleted, where FreeCAD has an
+    exception of its own"""
+    try:
+        return hasattr(thing, name)
+    except ReferenceError:
+        raise ValueError("the object is deleted, or its document closed") from None
+
+
+def require_document(document):
+    """throws TypeError if it is none, ValueError if it is closed"""
+    if not has(document, "addObject"):
+        raise TypeError(f"a document is wanted, got {type(document).__name__}")
+
+
 def told(link):
     """The members of a link as ["Box.Face3", ...]; they are compared and stored."""
     return [f"{target.Name}.{sub}" for target, sub in members(link)]
@@ -63,12 +78,16 @@ def shown_by(target, sub):
 def place_of(target, sub):
     """Where a member is shown: below all containers, and by the links on the way to it; None if it
     has no place."""
-    if not hasattr(leaf_of(target, sub), "Placement"):
+    leaf = leaf_of(target, sub)
+    if not hasattr(leaf, "Placement"):
         return None
     place = target.getSubObject(path_of(sub), retType=3)  # with the target's own placement
     if hasattr(target, "getGlobalPlacement"):  # links have none
         container = target.getGlobalPlacement().multiply(target.Placement.inverse())
         place = container.multiply(place)
+    while leaf.hasExtension("App::LinkBaseExtension") and leaf.LinkTransform:
+        leaf = leaf.LinkedObject  # whose own placement the link keeps
+        place = place.multiply(leaf.Placement)
     return place
 
 
@@ -76,6 +95,11 @@ def shape_of(target, sub, name):
     """The placed shape of a member. throws ValueError, with the property's name"""
     shape = Part.getShape(target, sub, needSubElement=True)
     if shape.isNull():
+        if hasattr(leaf_of(target, sub), "Mesh"):
+            raise ValueError(
+                f"{name}: {shown(target, sub)} is a mesh, not a shape; "
+                "in Python freecad.blossom.meshes takes it"
+            )
         if not sub:
             raise ValueError(f"{name}: {target.Label} has no shape")
         raise ValueError(f"{name}: {sub} of {target.Label} is gone, or it has no shape")

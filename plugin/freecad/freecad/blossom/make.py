@@ -17,6 +17,7 @@ from .clash import Clash
 from .fill import Fill
 from .fillet import Fillet
 from .intersection import Intersection
+from .links import require_document
 from .mesh import Mesh
 from .section import Section
 from .solid import Solid
@@ -28,8 +29,7 @@ from .trim import Trim
 def of_kind(kind, document, *given, **choices):
     """A new object with its links in order, and its choices by name. throws TypeError, ValueError;
     there is no object then"""
-    if not hasattr(document, "addObject"):
-        raise TypeError(f"a document is wanted, got {type(document).__name__}")
+    require_document(document)
     members = {link.name: _link(link, each) for link, each in zip(kind.LINKS, given)}
     obj = document.addObject(kind.OBJECT, kind.NAME)
     try:

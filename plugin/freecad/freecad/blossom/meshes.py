@@ -8,7 +8,7 @@
     curves = meshes.intersection(document, scan, part)       # where it meets a mesh or a shape
     meshes.distance(scan, part).bounds          # how far they are from each other at worst
 
-Where a mesh is in a container, it counts where it is shown. It takes the package `blossom`, see
+Where a mesh is in a container, or behind a link, it counts where it is shown. It takes the package `blossom`, see
 `door`; what is made does not follow its parents.
 """
 
@@ -17,22 +17,24 @@ import tempfile
 
 import Mesh
 
-from . import door
-from .feature import container_of
+from . import door, links
 
 
 def triangles(obj):
-    """A Mesh object as the package has it, where it is shown. throws NoEngine"""
+    """A Mesh object as the package has it, where it is shown. throws NoEngine, TypeError,
+    ValueError"""
     chosen = door.choice()
     if chosen.kind != "module":
         raise door.NoEngine(f"questions of meshes take the package blossom: {chosen.reason}")
     import blossom
 
-    if not hasattr(getattr(obj, "Mesh", None), "Topology"):
+    if not links.has(obj, "Label"):
+        raise TypeError(f"a Mesh object is wanted, got {type(obj).__name__}")
+    if not hasattr(obj, "Mesh"):
         raise ValueError(f"{obj.Label} is no mesh")
-    placed = obj.Mesh.copy()
-    placed.transform(container_of(obj).toMatrix())
-    return blossom.from_mesh(placed)
+    if obj.Mesh.CountFacets == 0:
+        raise ValueError(f"{obj.Label} has no triangles")
+    return blossom.from_mesh(obj)
 
 
 def check(obj):
@@ -42,6 +44,7 @@ def check(obj):
 
 def filled(document, obj, name="Filled"):
     """A Mesh object with all holes filled."""
+    links.require_document(document)
     made = triangles(obj).fill()
     with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
         file = os.path.join(folder, "mesh.ply")  # which FreeCAD reads the fastest
@@ -53,12 +56,14 @@ def filled(document, obj, name="Filled"):
 
 def section(document, obj, point, normal, name="MeshSection"):
     """A Part object of the wires in which it meets a plane. throws ValueError if it does not"""
+    links.require_document(document)
     return _wires(document, triangles(obj).section(tuple(point), tuple(normal)), name)
 
 
 def intersection(document, obj, other, name="MeshIntersection"):
     """A Part object of the wires in which it meets another mesh, or an object that has a shape,
     within a ten-thousandth of the size. throws ValueError if it does not"""
+    links.require_document(document)
     return _wires(document, triangles(obj).intersect(_other(other)), name)
 
 
@@ -75,7 +80,9 @@ def _other(other):
     if shape is other:
         return shape
     placed = shape.copy(False)
-    placed.Placement = container_of(other).multiply(shape.Placement)
+    container = other.getParentGeoFeatureGroup()
+    if container is not None:
+        placed.Placement = container.getGlobalPlacement().multiply(shape.Placement)
     return placed
 
 

@@ -40,7 +40,7 @@ class Panel:
         self._job = self._question = None
         self._wrong = None  # a question that has no answer, and why
         self._typed = set()
-        self._leaving = False
+        self._leaving = self._left = False  # it is about to close; its widgets may be gone
         self._began = 0.0
         self.form = self._form()
         self._delay = _timer(self.form, QUIET, self.preview, once=True)
@@ -115,12 +115,17 @@ class Panel:
             self._say_wrong(self.obj.getStatusString())
             return False
         document.commitTransaction()
+        self._leaving = self._left = True
         self._close()
         return True
 
     def reject(self):
         """Cancel: the document as it was."""
+        if self._left:
+            return True
+        self._leaving = self._left = True
         self.stop()
+        self._clock.stop()  # to compute what depends on it lets events through
         document = FreeCAD.listDocuments().get(self._document)
         if document is not None:
             document.abortTransaction()
@@ -135,11 +140,12 @@ class Panel:
 
     def _leave(self):
         """Closes the panel, but not within a signal of what goes with it."""
+        if self._leaving:
+            return
+        self._leaving = True
         self.stop()
         self._clock.stop()
-        if not self._leaving:
-            self._leaving = True
-            QtCore.QTimer.singleShot(0, self.reject)
+        QtCore.QTimer.singleShot(0, self.reject)
 
     def _is_known_to_fail(self):
         try:

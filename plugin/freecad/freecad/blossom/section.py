@@ -54,10 +54,14 @@ class Section(Feature):
         }
 
     def begin(self, obj):
-        """The plane goes through the middle of what is cut."""
-        if obj.Part and not obj.Plane:
+        """The plane goes through the middle of what is cut; the panel tells what cannot be."""
+        if not obj.Part or obj.Plane:
+            return
+        try:
             middle = links.shape(obj.Part, "Part").BoundBox.Center
-            obj.Point = FreeCAD.Vector(*(round(each, DIGITS) for each in middle))
+        except ValueError:
+            return
+        obj.Point = FreeCAD.Vector(*(round(each, DIGITS) for each in middle))
 
     def unused(self, obj):
         of_plane = {"Point", "Normal"} if obj.Plane else set()

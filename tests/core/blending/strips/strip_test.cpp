@@ -327,7 +327,7 @@ TEST(Strip, RefusesWhatHasNoStrip) {
   };
 
   EXPECT_EQ(message([&] { strip_between(a, SurfaceSide::UMax, a, SurfaceSide::UMax); }),
-            "strip_between: the borders coincide, there is nothing between them");
+            "strip: the borders coincide, there is nothing between them");
   for (const int order : {0, 4})
     EXPECT_THROW(strip_between(a, SurfaceSide::UMax, b, SurfaceSide::UMin, {.order = order}),
                  InvalidInput);
@@ -340,7 +340,7 @@ TEST(Strip, RefusesWhatHasNoStrip) {
   const BezierSurface cone = surface_of(
       patch_of(1, 1, [](int i, int j) { return weighted(i, i * j, 0, 1); }), {0, 1}, {0, 1});
   EXPECT_EQ(message([&] { strip_between(a, SurfaceSide::UMax, cone, SurfaceSide::UMin); }),
-            "strip_between: the border umin of b is a point");
+            "strip: the border umin of b is a point");
 
   const BezierSurface folded =
       surface_of(patch_of(2, 1, [](int i, int j) { return weighted(i < 2 ? 0 : 1, j, 0, 1); }),
@@ -350,7 +350,7 @@ TEST(Strip, RefusesWhatHasNoStrip) {
   std::mt19937 random(2);
   const BezierSurface high = random_surface(random, 0, 2, 13, 1, 1, 0.2);
   EXPECT_EQ(message([&] { strip_between(high, SurfaceSide::UMin, b, SurfaceSide::UMin); }),
-            "strip_between: the strip would have degree 26, at most 25 is possible");
+            "strip: the strip would have degree 26, at most 25 is possible");
 
   BezierSurface broken = a;
   broken.u_knots = {1, 0};
