@@ -124,7 +124,7 @@ TEST_F(Batch, JobsThatAreStoppedLeaveWhatRepeatsThem) {
   std::vector<std::string> words{"batch", "--each", folder / "b*.brep", "-o", results, "--"};
   for (const std::string& word : command("{}")) words.push_back(word);
   const Finished run = blossom(words);
-  EXPECT_EQ(run.code, 4);
+  ASSERT_EQ(run.code, 4);
   EXPECT_EQ(run.err, "");
   EXPECT_NE(
       results_in(results).begin()->second["messages"].dump().find("again bowl/repeat does it"),
@@ -150,7 +150,7 @@ TEST_F(Batch, TellsWhyJobsAreStopped) {
   const Finished run =
       blossom({"batch", "--each", folder / "bowl.brep", "-o", results, "--", "intersect", "{}",
                folder / "lid.brep", "--budget", "1", "--json", "-"});
-  EXPECT_EQ(run.code, 4);
+  ASSERT_EQ(run.code, 4);
   const std::string reason =
       results_in(results).begin()->second["report"]["certificate"]["reasons"][0];
   EXPECT_NE(run.out.find("bowl.brep: " + reason + "\n"), std::string::npos) << run.out;
