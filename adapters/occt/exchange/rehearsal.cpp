@@ -34,6 +34,7 @@
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/exchange/model_bytes.h"
 #include "adapters/occt/reading.h"
+#include "core/base/sanitizers.h"
 #include "adapters/occt/shapes.h"
 
 extern "C" {  // which the header of glibc 2.36 forgets
@@ -146,7 +147,7 @@ void leave_the_program_alone(rlim_t processor_seconds) {
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, processor_seconds);
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(BLOSSOM_ADDRESS_SANITIZER)
   const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
   if (pages > 0 && size > 0)
     limit(RLIMIT_DATA, static_cast<rlim_t>(pages) * static_cast<rlim_t>(size));

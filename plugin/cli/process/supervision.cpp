@@ -25,6 +25,7 @@
 #include <span>
 #include <sstream>
 
+#include "core/base/sanitizers.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/stages.h"
@@ -92,7 +93,7 @@ Board* new_board() {
 /// Asking for more memory than the machine has is an error of the work instead of the machine's
 /// end. Sanitizers ask for far more than they use.
 void limit_memory() {
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(BLOSSOM_ADDRESS_SANITIZER)
   const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
   rlimit limit{};
   if (pages <= 0 || size <= 0 || getrlimit(RLIMIT_DATA, &limit) != 0) return;

@@ -26,6 +26,11 @@ void watch_time() {
   setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
+void stop_watching_time() {
+  const itimerval none{};
+  setitimer(ITIMER_PROF, &none, nullptr);
+}
+
 void require(bool holds, const char* words) {
   if (holds) return;
   std::fprintf(stderr, "fuzzing: %s\n", words);

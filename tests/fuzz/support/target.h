@@ -21,6 +21,9 @@ inline constexpr int kMaxSeconds = 10;
 /// Ends the process by SIGABRT if it takes more than kMaxSeconds from now on.
 void watch_time();
 
+/// No longer: what is done between inputs is the fuzzer's own.
+void stop_watching_time();
+
 /// A check that stays in every build. Ends the process with the words on stderr.
 void require(bool holds, const char* words);
 

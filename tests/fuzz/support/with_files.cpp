@@ -22,6 +22,7 @@ void try_named(const std::string& name, const std::vector<std::uint8_t>& bytes) 
   std::cout << name << std::endl;
   blossom::fuzz::watch_time();
   blossom::fuzz::try_input(bytes);
+  blossom::fuzz::stop_watching_time();
 }
 
 void try_file(const std::filesystem::path& file) {

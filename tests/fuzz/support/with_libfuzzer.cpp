@@ -5,5 +5,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   blossom::fuzz::watch_time();
   blossom::fuzz::try_input({data, size});
+  blossom::fuzz::stop_watching_time();
   return 0;
 }

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "adapters/occt/base/errors.h"
+#include "core/base/sanitizers.h"
 #include "plugin/cli/batch/libraries.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/process/supervision.h"
@@ -189,7 +190,7 @@ TEST_F(BatchDriver, BeginsAJobThatCrashedAgain) {
 TEST_F(BatchDriver, StopsWhatIsBeyondALimitAndDoesTheRest) {
   policy.in_flight = 2;
   policy.setup.seconds = 0.3;
-#if !defined(__SANITIZE_ADDRESS__)  // which needs more for itself
+#if !defined(BLOSSOM_ADDRESS_SANITIZER)  // which needs more for itself
   policy.setup.megabytes = 500;
 #endif
   const std::vector<Json> results = results_of({{"sleep"}, {"eat"}, {"say", "still here"}});
@@ -198,7 +199,7 @@ TEST_F(BatchDriver, StopsWhatIsBeyondALimitAndDoesTheRest) {
   EXPECT_EQ(results[0]["messages"][0],
             "blossom: the time limit of 0.3 s was reached while doing what it is told, nothing was "
             "written");
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(BLOSSOM_ADDRESS_SANITIZER)
   EXPECT_EQ(results[1]["status"], "stopped");
   EXPECT_LT(results[1]["run"]["memory_mb"], 600);
 #endif
@@ -206,7 +207,7 @@ TEST_F(BatchDriver, StopsWhatIsBeyondALimitAndDoesTheRest) {
 }
 
 // Open CASCADE's repairs catch their own want of memory, and what they give is another model.
-#if !defined(__SANITIZE_ADDRESS__)  // which needs more for itself
+#if !defined(BLOSSOM_ADDRESS_SANITIZER)  // which needs more for itself
 TEST_F(BatchDriver, StopsWhatWantedMoreMemoryAndWentOnWithLess) {
   std::vector<std::vector<std::string>> jobs;
   for (const char* function : {"malloc", "aligned_alloc", "memalign", "memalign to 48", "valloc",
@@ -219,7 +220,7 @@ TEST_F(BatchDriver, StopsWhatWantedMoreMemoryAndWentOnWithLess) {
   policy.setup.megabytes = 500;
   const std::vector<Json> within = results_of(jobs);
   for (std::size_t k = 0; k < all; ++k) {
-    EXPECT_EQ(within[k]["status"], "stopped") << jobs[k][1];
+    ASSERT_EQ(within[k]["status"], "stopped") << jobs[k][1];
     EXPECT_EQ(within[k]["messages"][0],
               "blossom: the job was stopped: it wants more memory than its limit");
   }

@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/sanitizers.h"
 #include "plugin/cli/output/verbosity.h"
 #include "plugin/cli/process/interruption.h"
 
@@ -212,7 +213,7 @@ TEST(Supervision, WorkThatCrashesWhenItIsToEndDoesNotBeginAgain) {
   EXPECT_EQ(end.said, "blossom: interrupted, nothing was written\n");
 }
 
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(BLOSSOM_ADDRESS_SANITIZER)
 TEST(Supervision, AskingForAllMemoryIsAnErrorOfTheWork) {
   const Ended end = ended([] {
     try {
