@@ -201,6 +201,9 @@ Handle(Geom2d_Curve)
                 const Handle(Geom_Curve) & curve, const Interval& range, const TopoDS_Face& face) {
   if (!found.conic) return to_occt(fitted);
   const SurfaceProjector feet(face, Precision::Confusion());
+  // First, as an image that is fitted to feet on the border takes seconds.
+  if (!CurveBeside(curve, range, feet).is_one_run(Precision::Confusion(), Precision::Confusion()))
+    return to_occt(fitted);
   try {
     const ChartImage image =
         image_of(curve, range, feet, point_at(fitted, at(range, 0.5)), Precision::Confusion());
