@@ -124,8 +124,7 @@ BlendSheet::MitreSide BlendSheet::mitre_at_edge(const MitreContact& a, const Mit
   const auto place = [&] { return vec(thin.contacts[narrow.side].curve->Value(t).XYZ()); };
   TopoDS_Vertex joined = foot;
   if (!meets || distance(place(), point_of(foot)) > reach) {
-    double angle = 0;
-    const EdgeKind kind = edge_kind(body_, between.edge, angle);
+    const EdgeKind kind = kind_at(body_, between);
     const bool grows = kind == (thin.concave ? EdgeKind::Convex : EdgeKind::Concave);
     const auto through = contact_through(thin, narrow.side, t, strip_of(wider.half).strip,
                                          part_near(wider.half, end_of(wider.half).t));
@@ -251,12 +250,10 @@ bool BlendSheet::alternate(const Ring& ring) const {
   const bool concave = strip_of(ring[first].half).strip.concave;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const int edge = ring[i].half.edge;
-    double angle = 0;
     const bool is_strip = is_filleted(edge);
     if (is_strip != (i % 2 == first)) return false;
-    if (is_strip
-            ? strip_of(ring[i].half).strip.concave != concave
-            : edge_kind(body_, edge, angle) != (concave ? EdgeKind::Convex : EdgeKind::Concave))
+    if (is_strip ? strip_of(ring[i].half).strip.concave != concave
+                 : kind_at(body_, ring[i].half) != (concave ? EdgeKind::Convex : EdgeKind::Concave))
       return false;
   }
   return true;

@@ -291,9 +291,8 @@ bool BlendSheet::takes_over(const Ring& ring, int taking, int giving, int edge,
   const TopoDS_Vertex corner = body_.vertex(half);
   const auto beside =
       std::ranges::find_if(ring, [&](const VertexSector& each) { return each.half.edge == edge; });
-  double angle = 0;
   if (beside == ring.end() || cut.IsSame(corner)) return false;
-  const EdgeKind kind = edge_kind(body_, edge, angle);
+  const EdgeKind kind = kind_at(body_, beside->half);
   const EdgeKind other = strip_of(half).strip.concave ? EdgeKind::Convex : EdgeKind::Concave;
   if (kind != other && kind != EdgeKind::Smooth) return false;
   Interval range;

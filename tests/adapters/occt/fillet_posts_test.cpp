@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Fillets round the feet of lofted posts.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <Precision.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Pnt.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
+#include "tests/adapters/occt/fillet_checks.h"
+
+namespace blossom::occt {
+namespace {
+
+using testing::expect_sound;
+
+// A closed smooth curve through six points, every other one of them farther out.
+TopoDS_Wire rounded_ring(double radius, double out, double turn, double z) {
+  const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 6);
+  for (int k = 0; k < 6; ++k) {
+    const double angle = k * std::numbers::pi / 3 + turn, r = k % 2 == 0 ? radius : out * radius;
+    points->SetValue(k + 1, gp_Pnt(r * std::cos(angle), r * std::sin(angle), z));
+  }
+  GeomAPI_Interpolate curve(points, Standard_True, Precision::Confusion());
+  curve.Perform();
+  return BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(curve.Curve()));
+}
+
+TopoDS_Wire rectangle(double x0, double x1, double y0, double y1, double z) {
+  return BRepBuilderAPI_MakePolygon(gp_Pnt(x0, y0, z), gp_Pnt(x1, y0, z), gp_Pnt(x1, y1, z),
+                                    gp_Pnt(x0, y1, z), Standard_True)
+      .Wire();
+}
+
+TopoDS_Shape on_plate(const std::vector<TopoDS_Wire>& sections, bool ruled) {
+  BRepOffsetAPI_ThruSections post(true, ruled);
+  for (const TopoDS_Wire& each : sections) post.AddWire(each);
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-15, -15, -3), gp_Pnt(15, 15, 0)).Shape();
+  ShapeUpgrade_UnifySameDomain merged(BRepAlgoAPI_Fuse(plate, post.Shape()).Shape());
+  merged.Build();
+  return TopExp_Explorer(merged.Shape(), TopAbs_SOLID).Current();
+}
+
+std::vector<int> foot_of(const TopoDS_Shape& shape) {
+  std::vector<int> found;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == EdgeKind::Concave) found.push_back(each.number);
+  return found;
+}
+
+// Open CASCADE divides the sections at each other's vertices. Its side faces turn by up to a degree
+// where they meet, convex at the one end of an edge and concave at the other.
+TopoDS_Shape post_of_rings() {
+  return on_plate(
+      {rounded_ring(5, 1.3, 0, -1), rounded_ring(4, 1.2, 0.3, 5), rounded_ring(3, 1.1, 0.5, 12)},
+      false);
+}
+
+TEST(FilletRoundALoftedPost, GoesRoundSlightBendsOfItsFaces) {
+  const TopoDS_Shape shape = post_of_rings();
+  const std::vector<int> foot = foot_of(shape);
+  ASSERT_EQ(foot.size(), 3U);
+  for (const auto& [radius, added] : {std::array{0.4, 0.7358}, std::array{1.2, 6.709}}) {
+    const FilletResult made = fillet(shape, foot, {.radius = radius});
+    expect_sound(made);
+    EXPECT_TRUE(made.notes.empty());
+    if (made.solids.empty()) continue;
+    EXPECT_NEAR(made.solids.front().volume - made.volume_before, added, 1e-3 * added);
+  }
+}
+
+// One edge alone would leave a stub of itself at each of its ends.
+TEST(FilletRoundALoftedPost, GoesOnOverSlightBendsRatherThanEndBeforeThem) {
+  const TopoDS_Shape shape = post_of_rings();
+  const std::vector<int> foot = foot_of(shape);
+  ASSERT_EQ(foot.size(), 3U);
+  const FilletResult made = fillet(shape, {foot.front()}, {.radius = 0.4});
+  expect_sound(made);
+  EXPECT_EQ(made.edges, foot);
+  EXPECT_EQ(made.status, Status::Complete);
+  ASSERT_EQ(made.notes.size(), 1U) << "what else is rounded is told";
+}
+
+// Faces of the post end at the plate: ends of strips go past their borders.
+TEST(FilletRoundALoftedPost, TakesNoLongerThanOtherFillets) {
+  const TopoDS_Shape shape = on_plate(
+      {rectangle(-5.6307, 5.6307, -4, 4, 0), rectangle(-5.0882, 2.1986, -2.4521, 2.7244, 4.3838)},
+      true);
+  FilletOptions options{.radius = 0.4};
+  options.intersection.time_limit = 3;  // seconds: a tenth of one is enough
+  for (const int edge : foot_of(shape)) {
+    const FilletResult made = fillet(shape, {edge}, options);
+    expect_sound(made);
+    EXPECT_EQ(made.status, Status::Complete);
+  }
+}
+
+}  // namespace
+}  // namespace blossom::occt
