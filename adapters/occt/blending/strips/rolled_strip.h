@@ -69,6 +69,9 @@ struct RolledStrip {
   /// The same strip over another range inside of `most`; none where the range is all there is.
   std::function<RolledStrip(const Interval&)> over{};
   Interval most{};
+  /// Whether the ball has a radius of curvature of a face at the least and the largest of these, and
+  /// so cannot go on.
+  std::array<bool, 2> pinched{};
   /// Of a closed strip along an edge that is not: what of it is beside the edge.
   std::function<RolledStrip()> opened{};
 

@@ -131,6 +131,7 @@ void turn_round(RolledStrip& strip, double about) {
   }
   for (Interval* each : {&strip.range, &strip.edge_range, &strip.most})
     *each = {about - each->to, about - each->from};
+  std::swap(strip.pinched[0], strip.pinched[1]);
 }
 
 Interval common(const Interval& a, const Interval& b) {
@@ -156,6 +157,7 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
   mutable std::shared_ptr<StripMaker> strips;  // along it
   bool turned = false;                         // t = - the track's parameter
   Interval valid, edge_range;
+  std::array<bool, 2> pinched{};        // at the ends of what is valid
   std::optional<Interval> kept;         // of a loop that was cut open: what of it may be used
   std::shared_ptr<const Tracing> loop;  // that one, which has the track's surfaces
 
@@ -221,6 +223,9 @@ void Tracing::find_valid(double parameter) {
     if (parameter < stretch.range.from || parameter > stretch.range.to) continue;
     if (!stretch.valid) break;
     valid = kept ? common(stretch.range, *kept) : stretch.range;
+    const Interval all = track->domain();
+    pinched = {valid.from == stretch.range.from && valid.from > all.from,
+               valid.to == stretch.range.to && valid.to < all.to};
     return;
   }
   const BallPinch tightest = tightest_of(*track);
@@ -327,6 +332,7 @@ RolledStrip Tracing::strip(const Interval& wanted) const {
   strip.range = range;
   strip.edge_range = edge_range;
   strip.most = valid;
+  strip.pinched = pinched;
   strip.bend = held;
   for (const std::size_t k : {0U, 1U}) {
     strip.contacts[k] = {faces[k], to_occt(made.contacts[k].row), to_occt(made.contacts[k].chart),
