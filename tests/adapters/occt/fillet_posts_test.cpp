@@ -13,6 +13,7 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Precision.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
@@ -20,6 +21,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Pnt.hxx>
 
 #include "adapters/occt/edge_facts.h"
@@ -109,6 +111,34 @@ TEST(FilletRoundALoftedPost, TakesNoLongerThanOtherFillets) {
     const FilletResult made = fillet(shape, {edge}, options);
     expect_sound(made);
     EXPECT_EQ(made.status, Status::Complete);
+  }
+}
+
+int edge_at(const TopoDS_Shape& shape, const Vec3& middle) {
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (distance(each.middle, middle) < 1e-3) return each.number;
+  return 0;
+}
+
+// A post that hangs over the border of its plate. Below it the contact on the plate's side does not
+// come to the plate's top, which is next to it there, but to the post, if that went on; beside it
+// to none but the post either.
+TEST(FilletAtAPostThatHangsOver, EndsAtThePostWhichGoesOn) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -3), gp_Pnt(10, 10, 0)).Shape();
+  const TopoDS_Shape post = BRepPrimAPI_MakeCone(gp_Ax2({7, 0, 0}, {0, 0, 1}), 5, 4, 10).Shape();
+  const TopoDS_Shape shape =
+      TopExp_Explorer(BRepAlgoAPI_Fuse(plate, post).Shape(), TopAbs_SOLID).Current();
+  struct Case {
+    Vec3 middle;
+    double radius, change;  // the latter as Open CASCADE's own fillets have it
+  };
+  for (const Case& each : {Case{{10, 0, 0}, 0.4, 0.270673}, Case{{10, 0, 0}, 1.2, 2.352445},
+                           Case{{10, -7, 0}, 1.2, -1.788696}}) {
+    const FilletResult made = fillet(shape, {edge_at(shape, each.middle)}, {.radius = each.radius});
+    expect_sound(made);
+    EXPECT_TRUE(made.notes.empty()) << "it ends nowhere before its edge";
+    if (made.solids.empty()) continue;
+    EXPECT_NEAR(made.solids.front().volume - made.volume_before, each.change, 1e-5);
   }
 }
 
