@@ -9,20 +9,26 @@
 
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepGProp.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <GProp_GProps.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Precision.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pnt.hxx>
+#include <gp_Vec.hxx>
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
@@ -118,6 +124,42 @@ int edge_at(const TopoDS_Shape& shape, const Vec3& middle) {
   for (const EdgeFacts& each : edge_facts(shape))
     if (distance(each.middle, middle) < 1e-3) return each.number;
   return 0;
+}
+
+// Long walls in planes, narrow ones of arcs that are extruded. Beside the foot of a long one the
+// narrow ones grow by as much as they are wide.
+TEST(FilletRoundAPostOfExtrudedWalls, EndsInWallsThatGoOnPastTheirSurfaces) {
+  const auto bulge = [](double x, double y) {
+    const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 4);
+    for (int k = 0; k < 4; ++k)
+      points->SetValue(k + 1, gp_Pnt(k % 3 == 0 ? x : 1.03 * x, y * (1 - 2.0 * k / 3), 0));
+    GeomAPI_Interpolate curve(points, Standard_False, Precision::Confusion());
+    curve.Perform();
+    return TopoDS_Edge(BRepBuilderAPI_MakeEdge(curve.Curve()));
+  };
+  BRepBuilderAPI_MakeWire profile;
+  profile.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(-3, -0.55, 0), gp_Pnt(3, -0.55, 0)));
+  profile.Add(bulge(3, -0.55));
+  profile.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(3, 0.55, 0), gp_Pnt(-3, 0.55, 0)));
+  profile.Add(bulge(-3, 0.55));
+  const TopoDS_Shape post =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(profile.Wire()), gp_Vec(0, 0, 8)).Shape();
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-15, -15, -3), gp_Pnt(15, 15, 0)).Shape();
+  ShapeUpgrade_UnifySameDomain merged(BRepAlgoAPI_Fuse(plate, post).Shape());
+  merged.Build();
+  const TopoDS_Shape shape = TopExp_Explorer(merged.Shape(), TopAbs_SOLID).Current();
+  for (const double y : {-0.55, 0.55})
+    for (const double radius : {0.4, 0.8}) {
+      const FilletResult made = fillet(shape, {edge_at(shape, {0, y, 0})}, {.radius = radius});
+      expect_sound(made);
+      EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+      if (made.solids.empty()) continue;
+      GProp_GProps mass;
+      BRepGProp::VolumePropertiesGK(made.solids.front().solid, mass, 1e-7);
+      EXPECT_NEAR(made.solids.front().volume, mass.Mass(), 1e-5);
+      const double along = 6 * (1 - std::numbers::pi / 4) * radius * radius;
+      EXPECT_NEAR(made.solids.front().volume - made.volume_before, along, 0.05 * along);
+    }
 }
 
 // A post that hangs over the border of its plate. Below it the contact on the plate's side does not
