@@ -36,6 +36,8 @@ FilletAttempt attempt(Filleting& work, const FilletEdges& all, double radius) {
     return {{}, {}, {}, not_put_together(failure)};
   } catch (const BadModel& error) {
     return {{}, {}, {}, not_put_together(error)};
+  } catch (const InvalidInput& error) {  // of the core: numbers that make no geometry
+    return {{}, {}, {}, not_put_together(error)};
   }
 }
 
@@ -98,6 +100,8 @@ std::optional<FilletRefusal> roll_attempt(Filleting& work, const std::vector<Fil
   } catch (const Failure& failure) {
     return not_put_together(failure);
   } catch (const BadModel& error) {
+    return not_put_together(error);
+  } catch (const InvalidInput& error) {
     return not_put_together(error);
   }
 }
