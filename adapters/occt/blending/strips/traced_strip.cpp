@@ -210,7 +210,7 @@ void Tracing::start_by_law(const Interval& domain) {
                     {first.X(), first.Y(), first.Z()},
                     {second.X(), second.Y(), second.Z()}};
   };
-  track = track_through(supports.of[0].whole(), supports.of[1].whole(), law, guide, at(domain, 0.5),
+  track = track_through(supports.of[0].whole(), supports.of[1].whole(), law, guide, near_at,
                         {supports.of[0].start, supports.of[1].start});
   if (!track)
     refuse(FilletFault::NoBall, "no ball of that radius touches both faces beside the edge", {});
@@ -417,8 +417,8 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
   }
   const double beyond = kRollWidths * std::max(of->supports.width, of->radius);
   if (profile.law) {
-    of->start_by_law(domain);
     of->near_at = at(domain, 0.5);
+    of->start_by_law(domain);
     of->find_valid(of->near_at);
     of->edge_range = common(domain, of->valid);
     if (of->edge_range.from > domain.from || of->edge_range.to < domain.to)
@@ -477,6 +477,24 @@ RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge
   const Interval range = common({of->near_at - beyond, of->near_at + beyond}, of->valid);
   of->edge_range = range;
   return of->strip(of->turned ? Interval{-range.to, -range.from} : range);
+}
+
+RolledStrip traced_strip(const BodyEdges& body, const GuidedPlace& place, bool concave,
+                         const StripProfile& profile) {
+  const auto of = std::make_shared<Tracing>(body, place.edge, concave, profile);
+  Interval domain;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(body.edge(place.edge), domain.from, domain.to);
+  BallPlace ball;
+  ball.faces = of->faces = place.faces;
+  ball.charts = of->near = place.charts;
+  ball.centre = vec(curve->Value(place.at));
+  of->supports = supports_at(body, ball, concave, of->radius);
+  of->near_at = place.at;
+  of->start_by_law(domain);
+  of->find_valid(place.at);
+  of->edge_range = common(domain, of->valid);
+  const double beyond = kRollWidths * of->radius / curve->DN(place.at, 1).Magnitude();
+  return of->strip(common({place.at - beyond, place.at + beyond}, of->valid));
 }
 
 }  // namespace blossom::occt
