@@ -164,21 +164,46 @@ bool is_narrow(const BodyEdges& body, const VertexSector& sector, const Directed
   return dot(direction_at(body, next), inwards) > std::sin(kSmoothJoint);
 }
 
+namespace {
+
+// How much the normals of the faces turn at a place of an edge, and which way.
+struct EdgeTurn {
+  double angle = 0;
+  EdgeKind kind = EdgeKind::Smooth;
+};
+
+EdgeTurn turn_at(const BodyEdges& body, int edge, double parameter) {
+  const BodyEdges::Corner a = body.corner(body.use(edge, true), parameter);
+  const BodyEdges::Corner b = body.corner(body.use(edge, false), parameter);
+  const double angle = std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal));
+  if (angle < kSmoothEdge) return {angle, EdgeKind::Smooth};
+  const bool is_convex = dot(cross(a.normal, b.normal), a.along) > 0;
+  return {angle, is_convex ? EdgeKind::Convex : EdgeKind::Concave};
+}
+
+}  // namespace
+
+EdgeKind kind_at(const BodyEdges& body, int edge, double parameter) {
+  return turn_at(body, edge, parameter).kind;
+}
+
+EdgeKind kind_at(const BodyEdges& body, const DirectedEdge& half) {
+  double first = 0, last = 0;
+  BRep_Tool::Range(body.edge(half.edge), first, last);
+  return kind_at(body, half.edge, half.at_start ? first : last);
+}
+
 EdgeKind edge_kind(const BodyEdges& body, int edge, double& angle) {
   double first = 0, last = 0;
   BRep_Tool::Range(body.edge(edge), first, last);
-  const EdgeUseInFace &left = body.use(edge, true), &right = body.use(edge, false);
   bool convex = false, concave = false, smooth = false;
   angle = 0;
   for (const double part : kNormalSamples) {
-    const double at = first + part * (last - first);
-    const BodyEdges::Corner a = body.corner(left, at), b = body.corner(right, at);
-    const double turn = std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal));
-    angle = std::max(angle, turn);
-    if (turn < kSmoothEdge)
-      smooth = true;
-    else
-      (dot(cross(a.normal, b.normal), a.along) > 0 ? convex : concave) = true;
+    const EdgeTurn turn = turn_at(body, edge, first + part * (last - first));
+    angle = std::max(angle, turn.angle);
+    (turn.kind == EdgeKind::Smooth   ? smooth
+     : turn.kind == EdgeKind::Convex ? convex
+                                     : concave) = true;
   }
   if (convex + concave + smooth != 1) return EdgeKind::Mixed;
   return convex ? EdgeKind::Convex : concave ? EdgeKind::Concave : EdgeKind::Smooth;

@@ -116,4 +116,9 @@ bool is_narrow(const BodyEdges& body, const VertexSector& sector, const Directed
 /// The kind of an edge of a body, and the largest angle between the normals along it.
 EdgeKind edge_kind(const BodyEdges& body, int edge, double& angle);
 
+/// Convex, concave or smooth: how the faces meet at one place of an edge, or at one of its ends.
+/// Along edges of mixed kind that changes, but how blends end there depends on the end alone.
+EdgeKind kind_at(const BodyEdges& body, int edge, double parameter);
+EdgeKind kind_at(const BodyEdges& body, const DirectedEdge& half);
+
 }  // namespace blossom::occt

@@ -30,6 +30,7 @@ constexpr double kWide = -0.5;  // cosine of a section's angle, below: degree 4
 // span that is off by more than two halvings can mend even so is halved twice at once.
 constexpr double kTwice = 0x1p16;
 constexpr double kUneven = 2.001;     // ratio of neighbouring spans, more is halved
+constexpr double kSameBreak = 1e-9;   // of the range: a law's knot and a border of patches are one
 constexpr double kSameRate = 1e-8;    // relative: no kink
 constexpr double kFading = 0.4306;    // of errors beside a step, by span: the quintic cardinal root
 constexpr double kBesideStep = 0.25;  // of the radius: spans beside a step are no shorter
@@ -59,8 +60,7 @@ struct Jump {
   double parameter = 0, gap = 0, angle = 0, shortest = 0;  // the last of spans beside it
 };
 
-// What was found at the checks of a span.
-struct Measured {
+struct Measured {  // at the checks of a span
   std::array<double, 2> gap{}, angle{};
   double section = 0;
 };
@@ -114,7 +114,8 @@ StripFitter::StripFitter(const BallTrack& track, const Interval& range,
   std::vector<double> breaks{range.from};
   for (const BallTrack::Node& node : track.nodes()) {
     if (node.parameter <= range.from || node.parameter >= range.to) continue;
-    if (node.is_break) {
+    const double room = std::min(node.parameter - breaks.back(), range.to - node.parameter);
+    if (node.is_break && room > kSameBreak * length(range)) {
       breaks.push_back(node.parameter);
       add_jump(node.parameter);
     }
@@ -202,12 +203,13 @@ FitSpan StripFitter::span_of(const Interval& place) const {
 
 // 1 inside of a smooth run, 4 where second derivatives jump, 5 at a kink.
 int StripFitter::multiplicity_at(double knot) const {
-  for (const BallTrack::Node& node : track_.nodes())
-    if (node.parameter == knot && node.is_break) {
-      const double size = std::max(max_norm(node.first[0]), max_norm(node.first[1]));
-      return max_norm(node.first[0] - node.first[1]) <= kSameRate * size ? 4 : 5;
-    }
-  return 1;
+  int most = 1;
+  for (const BallTrack::Node& node : track_.nodes()) {
+    if (!node.is_break || std::abs(node.parameter - knot) > kSameBreak * length(range_)) continue;
+    const double size = std::max(max_norm(node.first[0]), max_norm(node.first[1]));
+    most = std::max(most, max_norm(node.first[0] - node.first[1]) <= kSameRate * size ? 4 : 5);
+  }
+  return most;
 }
 
 void StripFitter::fit() {
@@ -414,10 +416,8 @@ void prove_gap(const BezierSurface& surface, StripContactCurve& contact) {
       high += shift;
     }
     const double slack = kRangeSlack * (last - first);
-    if (low < first - slack || high > last + slack) {
-      contact.proven = false;
-      return;
-    }
+    contact.proven = low >= first - slack && high <= last + slack;
+    if (!contact.proven) return;
   }
   curve.chart_b = curve.chart_a;
   const Deviation deviation = proven_deviation(curve, surface, surface);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -13,7 +14,10 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Tool.hxx>
@@ -22,7 +26,9 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <gp.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Elips.hxx>
 
 #include "adapters/occt/blending/continuity.h"
 #include "adapters/occt/edge_facts.h"
@@ -353,6 +359,26 @@ TEST(FilletRadii, AskForWhatMakesSense) {
   EXPECT_THROW(asked({{1, {NAN}}}), InvalidInput);
   EXPECT_THROW(fillet(box, {1}, {.own = {{1, {1}}}, .chamfer = ChamferSize{1, {}, {}}}),
                InvalidInput);
+}
+
+// A law that has a knot in the middle of a closed edge, where a border of the face's patches is,
+// too, but for rounding.
+TEST(FilletOfChangingRadius, GoesRoundAClosedEdgeWithAKnotOnABorderOfPatches) {
+  BRepOffsetAPI_ThruSections maker(true);
+  for (const auto& [a, b, z] :
+       {std::array{10., 6., 0.}, std::array{11., 7., 10.}, std::array{4., 4., 20.}})
+    maker.AddWire(BRepBuilderAPI_MakeWire(
+        BRepBuilderAPI_MakeEdge(gp_Elips(gp_Ax2(gp_Pnt(0, 0, z), gp::DZ()), a, b))));
+  const TopoDS_Shape bottle = maker.Shape();
+  const RadiusLaw law = RadiusLaw::table({0, 0.5, 1}, {0.3, 0.6, 0.3});
+  int rounded = 0;
+  for (const EdgeFacts& each : edge_facts(bottle)) {
+    if (each.kind != EdgeKind::Convex) continue;
+    const FilletResult made = fillet(bottle, {each.number}, {.law = law});
+    expect_sound(made);
+    ++rounded;
+  }
+  EXPECT_EQ(rounded, 2);
 }
 
 // A blind hole in the side of a rod, a little off its middle: beside it the wall is 3.7 thick on

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -10,24 +11,29 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Tool.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Wire.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 
+#include "adapters/occt/blending/continuity.h"
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/full_round.h"
@@ -194,6 +200,51 @@ TEST(FilletOfAWall, WithDraftEndsInTheWallsBesideItAsBetweenPlanes) {
     return;
   }
   FAIL() << "no such edge";
+}
+
+// Two lines with half circles round their ends.
+TopoDS_Wire slot(double half, double radius, double z) {
+  const std::array corners{gp_Pnt(-half, -radius, z), gp_Pnt(half, -radius, z),
+                           gp_Pnt(half, radius, z), gp_Pnt(-half, radius, z)};
+  const auto arc = [&](std::size_t from, double x) {
+    return BRepBuilderAPI_MakeEdge(
+        GC_MakeArcOfCircle(corners[from], gp_Pnt(x, 0, z), corners[(from + 1) % 4]).Value());
+  };
+  BRepBuilderAPI_MakeWire made;
+  made.Add(BRepBuilderAPI_MakeEdge(corners[0], corners[1]));
+  made.Add(arc(1, half + radius));
+  made.Add(BRepBuilderAPI_MakeEdge(corners[2], corners[3]));
+  made.Add(arc(3, -half - radius));
+  return made;
+}
+
+// A pocket with walls that lean: where a flat one goes on in a round one, the ball's contact comes
+// to the line between them before or behind the plane across the vertex below.
+TEST(FilletOfAWall, WithDraftAndChangingRadiusGoesRoundAPocket) {
+  BRepOffsetAPI_ThruSections core(true, true);
+  core.AddWire(slot(8, 5, 0));
+  core.AddWire(slot(7.5, 4, -6));
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-20, -12, -10), gp_Pnt(20, 12, 0)).Shape();
+  const TopoDS_Shape shape = solid_of(BRepAlgoAPI_Cut(block, core.Shape()));
+  const RadiusLaw law = RadiusLaw::table({0, 0.5, 1}, {0.3, 0.6, 0.3});
+  for (const double z : {-6.0, 0.0}) {
+    std::vector<int> round;
+    for (const EdgeFacts& each : edge_facts(shape))
+      if (std::abs(each.middle[2] - z) < 1e-9 &&
+          std::hypot(each.middle[0], each.middle[1]) < 13.5 && std::abs(each.middle[1]) < 11)
+        round.push_back(each.number);
+    ASSERT_EQ(round.size(), 4U);
+    const FilletResult made = fillet(shape, {round.front()}, {.law = law});
+    expect_sound(made);
+    EXPECT_EQ(made.edges, round) << "all round";
+    if (made.solids.empty()) continue;
+    for (const EdgeContinuity& each : edge_continuity(made.solids.front().solid))
+      if (each.found && each.found->angle.value < 0.1) {
+        EXPECT_LT(each.found->angle.value, 1e-5) << "contacts, and joints of strips";
+      }
+    const double change = made.solids.front().volume - made.volume_before;
+    EXPECT_GT(z < -1 ? change : -change, 1);
+  }
 }
 
 TopoDS_Shape prism_of(const std::vector<gp_Pnt>& corners, const gp_Vec& along) {

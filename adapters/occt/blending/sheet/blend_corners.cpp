@@ -102,8 +102,8 @@ BlendSheet::MitreSide BlendSheet::mitre_in_face(const MitreContact& a, const Mit
 
 // Where two strips that run into each other leave the edge between them. The wider one comes
 // further along the edge. The contact of the other one ends in it: before the edge where that is of
-// the strips' own kind, else beyond it, over what the wider strip lays bare, and its face grows up
-// to there.
+// the strips' own kind there, else beyond it, over what the wider strip lays bare, and its face
+// grows up to there.
 BlendSheet::MitreSide BlendSheet::mitre_at_edge(const MitreContact& a, const MitreContact& b,
                                                 const DirectedEdge& between) {
   const auto a_meets = meeting_with(body_, strip_of(a.half).strip, a.side, *a.use, end_t(a.half));
@@ -124,16 +124,16 @@ BlendSheet::MitreSide BlendSheet::mitre_at_edge(const MitreContact& a, const Mit
   const auto place = [&] { return vec(thin.contacts[narrow.side].curve->Value(t).XYZ()); };
   TopoDS_Vertex joined = foot;
   if (!meets || distance(place(), point_of(foot)) > reach) {
-    double angle = 0;
-    const EdgeKind kind = edge_kind(body_, between.edge, angle);
-    const bool grows = kind == (thin.concave ? EdgeKind::Convex : EdgeKind::Concave);
+    const EdgeKind other = thin.concave ? EdgeKind::Convex : EdgeKind::Concave;
     const auto through = contact_through(thin, narrow.side, t, strip_of(wider.half).strip,
                                          part_near(wider.half, end_of(wider.half).t));
     const double outwards = is_low_end(narrow.half) ? -1 : 1;
-    if (!through || (grows && (!meets || outwards * (*through - t) <= 0)))
+    const bool is_missed = !meets && kind_at(body_, between.edge, wide.edge_parameter) == other;
+    if (!through || is_missed)
       refuse(narrow.half, FilletFault::Corner,
              "its contact does not come to the strip of edge " + std::to_string(wider.half.edge));
-    if (grows) end_of(narrow.half).over[narrow.side] = between.edge;
+    if (meets && outwards * (*through - t) > 0)
+      end_of(narrow.half).over[narrow.side] = between.edge;
     t = *through;
     joined = new_vertex(place());
   }
@@ -251,12 +251,10 @@ bool BlendSheet::alternate(const Ring& ring) const {
   const bool concave = strip_of(ring[first].half).strip.concave;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const int edge = ring[i].half.edge;
-    double angle = 0;
     const bool is_strip = is_filleted(edge);
     if (is_strip != (i % 2 == first)) return false;
-    if (is_strip
-            ? strip_of(ring[i].half).strip.concave != concave
-            : edge_kind(body_, edge, angle) != (concave ? EdgeKind::Convex : EdgeKind::Concave))
+    if (is_strip ? strip_of(ring[i].half).strip.concave != concave
+                 : kind_at(body_, ring[i].half) != (concave ? EdgeKind::Convex : EdgeKind::Concave))
       return false;
   }
   return true;

@@ -143,6 +143,7 @@ class BlendSheet {
   Cut end_cut(const DirectedEdge& half, std::size_t side, int& beyond, int& edge);
   bool turns_back(const Ring& ring, bool on_left);
   Cut grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge);
+  Cut grown_up_to(const Ring& ring, bool on_left, int growing);
   bool takes_over(const Ring& ring, int taking, int giving, int edge, const TopoDS_Vertex& cut);
   /// Where a strip's end has come to: by its contact, or over an edge.
   struct StripPlace {

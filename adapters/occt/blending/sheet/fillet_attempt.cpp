@@ -36,6 +36,8 @@ FilletAttempt attempt(Filleting& work, const FilletEdges& all, double radius) {
     return {{}, {}, {}, not_put_together(failure)};
   } catch (const BadModel& error) {
     return {{}, {}, {}, not_put_together(error)};
+  } catch (const InvalidInput& error) {  // of the core: numbers that make no geometry
+    return {{}, {}, {}, not_put_together(error)};
   }
 }
 
@@ -68,11 +70,13 @@ FilletAttempt fillet_attempt(Filleting& work, const std::vector<FilletEdges>& ch
   FilletEdges all;
   for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
   FilletAttempt made = attempt(work, all, radius);
-  if (!made.why || made.why->fault == FilletFault::Edge || !work.own().empty()) return made;
+  const bool is_whole = !made.why && !made.is_tolerant;
+  if (is_whole || (made.why && made.why->fault == FilletFault::Edge) || !work.own().empty())
+    return made;
   const FilletEdges grown = with_bends(work.body(), chains, all);
   if (grown.size() == all.size()) return made;
   FilletAttempt further = attempt(work, grown, radius);
-  if (further.why) return made;
+  if (further.why || (!made.why && further.is_tolerant)) return made;
   for (const auto& [edge, concave] : grown)
     if (all.count(edge) == 0) further.gone_on.insert(edge);
   further.notes.push_back(bends_note(all, grown));
@@ -96,6 +100,8 @@ std::optional<FilletRefusal> roll_attempt(Filleting& work, const std::vector<Fil
   } catch (const Failure& failure) {
     return not_put_together(failure);
   } catch (const BadModel& error) {
+    return not_put_together(error);
+  } catch (const InvalidInput& error) {
     return not_put_together(error);
   }
 }

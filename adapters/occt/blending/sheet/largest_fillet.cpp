@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "adapters/occt/blending/sheet/fillet_attempt.h"
 #include "adapters/occt/blending/sheet/fillet_limit.h"
@@ -28,9 +30,8 @@ constexpr int kRungs = 2;
 constexpr double kRungOffset = 0.125;
 constexpr int kMaxRises = 4 * kRungs;   // larger that do not work either: to 16 times
 constexpr int kMaxFalls = 10 * kRungs;  // smaller: a thousandth
-// Ratios of brackets' ends: where balls roll or a few edges are rounded, and where more are, which
-// takes longer.
-constexpr double kRolled = 1 + 1e-6;
+// Ratios of brackets' ends: of a few edges, and of more, which take longer.
+constexpr double kClosed = 1 + 1e-6;
 constexpr double kRounded = 1 + 1e-3;
 constexpr std::size_t kFewEdges = 4;
 // Edges that are rounded until the bracket is left as it is, some seconds of work, and beside them
@@ -53,9 +54,15 @@ std::size_t edge_count(const Chains& chains) {
   return count;
 }
 
-// Of the ends of a bracket that rounding closes.
+FilletEdges edges_of(const Chains& chains) {
+  FilletEdges all;
+  for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
+  return all;
+}
+
+// Of the ends of a bracket that rounding closes, or rolling.
 double rounding_ratio(const Chains& chains) {
-  return edge_count(chains) > kFewEdges ? kRounded : kRolled;
+  return edge_count(chains) > kFewEdges ? kRounded : kClosed;
 }
 
 /// What is near an edge, rounded alone.
@@ -85,9 +92,7 @@ class RadiusSearch {
         chains_(chains),
         first_(rung_above(asked)),
         most_work_(kMaxEdges + kMaxWhole * edge_count(chains)) {
-    FilletEdges all;
-    for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
-    for (const EdgeRun& run : edge_runs(work.body(), all)) {
+    for (const EdgeRun& run : edge_runs(work.body(), edges_of(chains))) {
       FilletEdges& edges = runs_.emplace_back();
       for (const RunEdge& each : run.edges) edges.emplace(each.edge, run.concave);
     }
@@ -100,6 +105,9 @@ class RadiusSearch {
 
  private:
   using Trial = std::optional<FilletRefusal> (RadiusSearch::*)(const Chains&, double);
+  /// What trials told, by radius and edges: searches that follow each other ask for some again.
+  /// Asking counts as work, so that no search goes round for ever.
+  using Told = std::map<std::pair<double, FilletEdges>, std::optional<FilletRefusal>>;
   std::optional<FilletRefusal> roll(const Chains& chains, double radius);
   std::optional<FilletRefusal> round(const Chains& chains, double radius);
   bool may_go_on() const { return rounded_ + rolled_ / kRollsInWork < most_work_; }
@@ -124,6 +132,7 @@ class RadiusSearch {
   Chains runs_;  // of all of them: what balls roll along without stopping
   int first_;    // rung above the radius asked for
   std::size_t most_work_, rolled_ = 0, rounded_ = 0;
+  Told rolls_told_, rounds_told_;
   Bound rolls_;       // of the run that stops balls first, on the ladder
   double works_ = 0;  // the largest with which all were rounded
 };
@@ -131,15 +140,19 @@ class RadiusSearch {
 // Whether balls roll along the edges: much less work, and all that is wrong with most radii.
 std::optional<FilletRefusal> RadiusSearch::roll(const Chains& chains, double radius) {
   rolled_ += edge_count(chains);
-  return roll_attempt(work_, chains, radius);
+  const std::pair trial{radius, edges_of(chains)};
+  if (const auto told = rolls_told_.find(trial); told != rolls_told_.end()) return told->second;
+  return rolls_told_.emplace(trial, roll_attempt(work_, chains, radius)).first->second;
 }
 
 std::optional<FilletRefusal> RadiusSearch::round(const Chains& chains, double radius) {
   if (auto why = roll(chains, radius)) return why;
   rounded_ += edge_count(chains);
+  const std::pair trial{radius, edges_of(chains)};
+  if (const auto told = rounds_told_.find(trial); told != rounds_told_.end()) return told->second;
   auto why = fillet_attempt(work_, chains, radius).why;
   if (!why && chains.size() == chains_.size()) works_ = std::max(works_, radius);
-  return why;
+  return rounds_told_.emplace(trial, std::move(why)).first->second;
 }
 
 const FilletEdges* RadiusSearch::run_of(int edge) const {
@@ -279,7 +292,7 @@ std::optional<Bound> RadiusSearch::alone(const Bound& of) {
     bound.why = *std::move(why);
     if (follow_limits(&RadiusSearch::roll, {*run}, bound)) return bound;
     bound = of;
-    close(&RadiusSearch::roll, {*run}, kRolled, bound);
+    close(&RadiusSearch::roll, {*run}, rounding_ratio({*run}), bound);
     return bound;
   }
   NearTrial near = near_trial(of.why.edge, of.fails);
@@ -296,21 +309,22 @@ std::optional<Bound> RadiusSearch::alone(const Bound& of) {
 }
 
 // Whether all are rounded where some are stopped, or just below that; what fails there is the next
-// to be looked at.
+// to be looked at. Where no condition tells exactly where that is, by how much is of no account.
 bool RadiusSearch::rounds_at(const Bound& of, Bound& whole) {
   const FilletEdges* const run = run_of(of.why.edge);
   for (const double below : kJustBelow) {
+    if (of.stopped.empty() && below > 0 && 1 + below < kRounded) continue;
     const double radius = (1 - below) * of.radius;
     if (radius <= whole.radius) return true;
-    auto why = radius == works_ ? std::nullopt : round(chains_, radius);
+    auto why = round(chains_, radius);
     if (!why) {
-      whole = of;
+      if (below == 0 || !of.stopped.empty()) whole = of;
       whole.radius = radius;
       return true;
     }
     whole.fails = radius;
     whole.why = *std::move(why);
-    if (of.stopped.empty() || run_of(whole.why.edge) != run) return false;
+    if (whole.why.edge > 0 && run_of(whole.why.edge) != run) return false;
   }
   return false;
 }

@@ -28,9 +28,9 @@ struct LargestFillet {
 /// is the same for any radius asked for from which no wider gap than a rung lies before that range.
 ///
 /// Balls stop where a condition has its solution (`fillet_limit`), to 1e-8 of the radius, or else
-/// where rolling tells, to 1e-6; blends meet where the share of an edge that they take tells; the
-/// rest is told by rounding, to 1e-3, or 1e-6 of up to four edges: a larger radius fails for what
-/// is near some place.
+/// where rolling tells; blends meet where the share of an edge that they take tells; the rest is
+/// told by rounding: a larger radius fails for what is near some place. Rolling and rounding tell
+/// to 1e-3, or 1e-6 of up to four edges.
 ///
 /// chains   rounded together
 /// why      they cannot be rounded by `radius`

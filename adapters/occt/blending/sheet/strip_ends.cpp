@@ -127,38 +127,50 @@ bool BlendSheet::turns_back(const Ring& ring, bool on_left) {
   return across <= straight && !is_cusp;
 }
 
-// Where a border turns back, the face behind it grows up to the contact and ends the strip there.
+// Where a border turns back, a face that begins in the vertex grows up to the contact and ends the
+// strip there: the one behind that border, or else the next one round the vertex that comes to it.
 BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge) {
+  std::optional<FilletRefused> first;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    beyond = ring[on_left ? i : ring.size() - 1 - i].face;
+    edge = i > 1 ? 0 : (on_left ? ring[1] : ring.back()).half.edge;
+    try {
+      return grown_up_to(ring, on_left, beyond);
+    } catch (const FilletRefused& refusal) {
+      if (!first) first = refusal;
+    }
+  }
+  throw FilletRefused(*first);
+}
+
+BlendSheet::Cut BlendSheet::grown_up_to(const Ring& ring, bool on_left, int growing) {
   const DirectedEdge half = ring.front().half;
   const RolledStrip& strip = strip_of(half).strip;
   const std::size_t side = on_left ? left_side(half) : right_side(half);
   const RolledContact& contact = strip.contacts[side];
-  const DirectedEdge beside = on_left ? ring[1].half : ring.back().half;
-  beyond = (on_left ? ring[1] : ring[ring.size() - 2]).face;
-  edge = beside.edge;
   const double inside = strip_of(half).inside;
   const Interval part =
       is_low_end(half) ? Interval{strip.range.from, inside} : Interval{inside, strip.range.to};
   const auto refuse_growing = [&](const std::string& cause) {
     refuse(half, FilletFault::End,
-           "face " + std::to_string(beyond) + " at its end " + cause + " on face " +
+           "face " + std::to_string(growing) + " at its end " + cause + " on face " +
                std::to_string(contact.face));
   };
-  const auto t = contact_through(strip, side, end_t(half), body_.face(beyond), part);
+  const auto t = contact_through(strip, side, end_t(half), body_.face(growing), part);
   if (!t || !lies_on(body_, contact, *t))
     refuse_growing("would not come, if it went on, to " + contact_words());
   const TopoDS_Vertex corner = body_.vertex(half);
   const Vec3 place = vec(contact.curve->Value(*t).XYZ());
   const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(corner));
-  const auto down = wall_curve_between(body_.face(beyond), body_.face(contact.face), place,
+  const auto down = wall_curve_between(body_.face(growing), body_.face(contact.face), place,
                                        point_of(corner), reach);
   if (!down) refuse_growing("cannot go on along a curve up to " + contact_words());
   const TopoDS_Vertex joined = vertex_in(contact.face, place);
   const TopoDS_Edge border = wall_border(*down, joined, corner, on_left, contact.face);
   add_chart(TopoDS::Edge(border.Oriented(TopAbs_FORWARD)),
-            chart_near_face(down->on_strip, at(down->range, 0.5), body_, beyond),
-            body_.face(beyond));
-  added_[beyond].push_back(border);
+            chart_near_face(down->on_strip, at(down->range, 0.5), body_, growing),
+            body_.face(growing));
+  added_[growing].push_back(border);
   border_.vertices.push_back(corner);
   return {*t, joined};
 }
@@ -291,9 +303,8 @@ bool BlendSheet::takes_over(const Ring& ring, int taking, int giving, int edge,
   const TopoDS_Vertex corner = body_.vertex(half);
   const auto beside =
       std::ranges::find_if(ring, [&](const VertexSector& each) { return each.half.edge == edge; });
-  double angle = 0;
   if (beside == ring.end() || cut.IsSame(corner)) return false;
-  const EdgeKind kind = edge_kind(body_, edge, angle);
+  const EdgeKind kind = kind_at(body_, beside->half);
   const EdgeKind other = strip_of(half).strip.concave ? EdgeKind::Convex : EdgeKind::Concave;
   if (kind != other && kind != EdgeKind::Smooth) return false;
   Interval range;
@@ -370,7 +381,7 @@ void BlendSheet::cap(const Ring& ring) {
   entered = place.edge;
   const auto is_smooth = [&](int edge) {
     double angle = 0;
-    return edge_kind(body_, edge, angle) == EdgeKind::Smooth;
+    return edge > 0 && edge_kind(body_, edge, angle) == EdgeKind::Smooth;
   };
   cap_face(half, part, face, from, right.vertex, is_smooth(entered) || is_smooth(left_at));
   turn_path(half);

@@ -166,7 +166,8 @@ WalkExit BallWalker::exit(WalkedStrip& of, std::size_t place, int step, double f
     if ((goes_on_alike || ends_shared) &&
         (!side || !is_nearer(first[*side]->t, edge_end - ahead * same_place(of, edge_end))))
       return {edge_end, {}, ends_shared};
-    if (turns_to_next(of, place, step) &&
+    if (turns_to_next(of, place, step) && of.strip.range.from <= edge_end &&
+        edge_end <= of.strip.range.to &&
         (!side || is_nearer(edge_end + ahead * same_place(of, edge_end), first[*side]->t)))
       return {edge_end, {}, false};
     if (side && holds(of, first[*side]->t, *first[*side]))
@@ -316,9 +317,12 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
     if (came_back_) return {std::move(known), t};
   }
   const bool leans = exit.held != std::array<int, 2>{};
-  // A chamfer that crosses no edge goes on beside the next one of the run, whatever its faces.
-  const bool turns = options_.fillet.chamfer && !exit.over[0] && !exit.over[1];
-  const auto there = leans || turns ? std::nullopt : place_with(faces, place, step);
+  // What is guided and crosses no edge goes on beside the next one of the run, whatever its faces.
+  const bool turns = is_guided() && !exit.over[0] && !exit.over[1];
+  // Radii by a law are those of the next edge from the plane across its vertex on.
+  const auto there = leans || turns || is_before_next(of, place, step, exit.t)
+                         ? std::nullopt
+                         : place_with(faces, place, step);
   if (there) {
     auto known = strip_if_any(*there);
     if (known && !known->strip.closed && reaches(*known, of, exit.t, reach, t)) {
@@ -326,7 +330,7 @@ std::pair<WalkedStrip, double> BallWalker::following(const WalkedStrip& of, cons
       return {*std::move(known), t};
     }
   }
-  if (options_.fillet.chamfer) return chamfer_following(of, exit, faces, place, step);
+  if (is_guided()) return guided_following(of, exit, faces, place, step);
   WalkedStrip made = pair_strip(of, exit, faces, there.value_or(place));
   if (!made.strip.closed && reaches(made, of, exit.t, reach, t)) return {std::move(made), t};
   refuse(FilletFault::Corner, place, "the ball does not go on over an edge beside it", centre);

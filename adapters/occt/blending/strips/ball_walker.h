@@ -77,6 +77,8 @@ class BallWalker {
 
   std::array<int, 2> faces_of(std::size_t place) const;
   bool is_loop() const;
+  /// Whether strips lie in the planes across edges, as those of one radius need not.
+  bool is_guided() const { return !profiles_.everywhere(); }
   const WalkedStrip& strip_at(std::size_t place);
   std::optional<WalkedStrip> strip_if_any(std::size_t place);
   static bool leans_beside(const WalkedStrip& of);
@@ -126,9 +128,10 @@ class BallWalker {
   WalkedStrip pair_strip(const WalkedStrip& of, const WalkExit& exit,
                          const std::array<int, 2>& faces, std::size_t place, bool as_loop = false);
   bool turns_to_next(const WalkedStrip& of, std::size_t place, int step) const;
-  std::pair<WalkedStrip, double> chamfer_following(const WalkedStrip& of, const WalkExit& exit,
-                                                   const std::array<int, 2>& faces,
-                                                   std::size_t& place, int step);
+  bool is_before_next(const WalkedStrip& of, std::size_t place, int step, double t) const;
+  std::pair<WalkedStrip, double> guided_following(const WalkedStrip& of, const WalkExit& exit,
+                                                  const std::array<int, 2>& faces,
+                                                  std::size_t& place, int step);
   double same_place(const WalkedStrip& of, double t) const;
   bool grow(WalkedStrip& of, bool at_start) const;
   bool grow_past(WalkedStrip& of, double t, int ahead) const;

@@ -315,7 +315,7 @@ RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
   return strip_over(of, {of.domain.from - beyond, of.domain.to + beyond}, closed);
 }
 
-RolledStrip chamfer_strip(const BodyEdges& body, const ChamferPlace& place, bool concave,
+RolledStrip chamfer_strip(const BodyEdges& body, const GuidedPlace& place, bool concave,
                           const ChamferProfile& profile) {
   Chamfering of = chamfering(body, place.edge, concave, profile, place.faces);
   for (const std::size_t k : {0U, 1U})

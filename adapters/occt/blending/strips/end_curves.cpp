@@ -11,7 +11,6 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
 #include <GeomAdaptor_Surface.hxx>
-#include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
@@ -24,8 +23,10 @@
 #include "adapters/occt/blending/limits.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/convert/grown.h"
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "core/curve_surface_intersection.h"
@@ -117,47 +118,41 @@ BezierSurface strip_surface(const RolledStrip& strip, const Interval& part,
   return strip.along_u ? extended(surface, none, parts) : extended(surface, parts, none);
 }
 
-// How far points lie past the natural borders of a face's surface, if that is a spline, along its
-// tangent planes there, as parts of the outer spans: in u and v, before the start and after the
-// end.
-//
-// converted   the surface; where it goes as far as those borders its outer spans are at them
-std::array<std::array<double, 2>, 2> parts_beyond(const BezierSurface& converted,
-                                                  const TopoDS_Face& face,
-                                                  const std::vector<Vec3>& points) {
-  std::array<std::array<double, 2>, 2> parts{};
+// A box of a face's parameters with those of points that lie past the natural borders of its
+// surface, along its tangent planes there.
+ParameterBox box_with(const ParameterBox& box, const TopoDS_Face& face,
+                      const std::vector<Vec3>& points) {
   const SurfaceProjector feet(face, Precision::Confusion());
-  if (Handle(Geom_BSplineSurface)::DownCast(feet.surface()).IsNull()) return parts;
-  std::array<Interval, 2> bounds;
-  feet.surface()->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
+  std::array<Interval, 2> own, with{box.u, box.v};
+  feet.surface()->Bounds(own[0].from, own[0].to, own[1].from, own[1].to);
   const std::array<double, 2> turns = turns_of(feet.surface());
   for (const Vec3& point : points) {
     const Vec2 foot = feet.foot(point, std::nullopt);
     const SurfaceJet frame = frame_at(feet.surface(), foot);
     const Vec2 there = foot + chart_step(frame, point - frame.point);
     for (std::size_t k = 0; k < 2; ++k) {
-      if (turns[k] > 0) continue;
-      const std::vector<double>& knots = k == 0 ? converted.u_knots : converted.v_knots;
-      const std::size_t last = knots.size() - 1;
       const double x = there[static_cast<int>(k)];
-      const double first_span = knots[1] - knots[0], last_span = knots[last] - knots[last - 1];
-      parts[k][0] = std::max(parts[k][0], (bounds[k].from - x) / first_span);
-      parts[k][1] = std::max(parts[k][1], (x - bounds[k].to) / last_span);
+      if (turns[k] > 0) continue;
+      if (x < own[k].from) with[k].from = std::min(with[k].from, x);
+      if (x > own[k].to) with[k].to = std::max(with[k].to, x);
     }
   }
-  return parts;
+  return {with[0], with[1]};
 }
 
 // A face's surface near points, and a little beyond its natural borders, and beyond where the ends
 // of what is looked for lie past them.
 BezierSurface face_surface(const std::vector<Vec3>& points, const TopoDS_Face& face,
                            const std::vector<Vec3>& ends = {}) {
-  const BezierSurface surface =
-      bezier_surface(basis_of(BRep_Tool::Surface(face)), box_near(points, face));
-  std::array<std::array<double, 2>, 2> parts = parts_beyond(surface, face, ends);
-  for (std::array<double, 2>& of : parts)
-    for (double& part : of) part += kBeyondBorder;
-  return extended(surface, parts[0], parts[1]);
+  const ParameterBox box = box_with(box_near(points, face), face, ends);
+  const Handle(Geom_Surface) surface = grown(BRep_Tool::Surface(face), box);
+  const ParameterBox natural = natural_bounds(*surface);
+  const auto common = [](const Interval& a, const Interval& b) {
+    return Interval{std::max(a.from, b.from), std::min(a.to, b.to)};
+  };
+  const std::array parts{kBeyondBorder, kBeyondBorder};
+  return extended(bezier_surface(surface, {common(box.u, natural.u), common(box.v, natural.v)}),
+                  parts, parts);
 }
 
 // A face's surface as far as its trims go, and a little beyond; further where it has no end and no
@@ -201,6 +196,9 @@ Handle(Geom2d_Curve)
                 const Handle(Geom_Curve) & curve, const Interval& range, const TopoDS_Face& face) {
   if (!found.conic) return to_occt(fitted);
   const SurfaceProjector feet(face, Precision::Confusion());
+  // First, as an image that is fitted to feet on the border takes seconds.
+  if (!CurveBeside(curve, range, feet).is_one_run(Precision::Confusion(), Precision::Confusion()))
+    return to_occt(fitted);
   try {
     const ChartImage image =
         image_of(curve, range, feet, point_at(fitted, at(range, 0.5)), Precision::Confusion());

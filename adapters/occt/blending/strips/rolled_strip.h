@@ -69,6 +69,9 @@ struct RolledStrip {
   /// The same strip over another range inside of `most`; none where the range is all there is.
   std::function<RolledStrip(const Interval&)> over{};
   Interval most{};
+  /// Whether the ball has a radius of curvature of a face at the least and the largest of these,
+  /// and so cannot go on.
+  std::array<bool, 2> pinched{};
   /// Of a closed strip along an edge that is not: what of it is beside the edge.
   std::function<RolledStrip()> opened{};
 
@@ -110,6 +113,22 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
 RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge, bool concave,
                          const StripProfile& profile);
 
+/// Where a strip that lies in the planes across an edge, as chamfers and fillets by a law do, goes
+/// on over another face than the edge's.
+struct GuidedPlace {
+  int edge = 0;                  ///< in the planes across which it lies
+  std::array<int, 2> faces{};    ///< of the contacts, to the left of the forward edge and right
+  std::array<Vec2, 2> charts{};  ///< near the contacts there
+  double at = 0;                 ///< the edge's parameter
+  bool ahead = true;             ///< the strip goes on to where that grows
+};
+
+/// The strip of a ball of radii by a law on these faces, both ways from there.
+///
+/// throws    as `traced_strip`
+RolledStrip traced_strip(const BodyEdges& body, const GuidedPlace& place, bool concave,
+                         const StripProfile& profile);
+
 /// The strip of a chamfer: in each plane across the edge the chord between the points of both faces
 /// that have the given distances from the edge. Planes, cylinders and cones are written as such.
 ///
@@ -117,17 +136,9 @@ RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge
 RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
                           const ChamferProfile& profile);
 
-/// Where a chamfer goes on over another face than its edge's.
-struct ChamferPlace {
-  int edge = 0;                  ///< in the planes across which its borders lie
-  std::array<int, 2> faces{};    ///< of the contacts, to the left of the forward edge and right
-  std::array<Vec2, 2> charts{};  ///< near the borders there
-  double at = 0;                 ///< the edge's parameter
-  bool ahead = true;             ///< the strip goes on to where that grows
-};
-
-/// The same on these faces, from the place on as far as the ends of longer strips go past an edge.
-RolledStrip chamfer_strip(const BodyEdges& body, const ChamferPlace& place, bool concave,
+/// The same on other faces than the edge's, from the place on as far as the ends of longer strips
+/// go past an edge.
+RolledStrip chamfer_strip(const BodyEdges& body, const GuidedPlace& place, bool concave,
                           const ChamferProfile& profile);
 
 }  // namespace blossom::occt

@@ -101,9 +101,10 @@ ChamferProfile RunProfiles::chamfer_at(std::size_t place) const {
   return profile;
 }
 
-RolledStrip RunProfiles::chamfer(const BodyEdges& body, std::size_t place,
-                                 const ChamferPlace& at) const {
-  return chamfer_strip(body, at, run_.concave, chamfer_at(place));
+RolledStrip RunProfiles::guided(const BodyEdges& body, std::size_t place,
+                                const GuidedPlace& at) const {
+  if (options_.chamfer) return chamfer_strip(body, at, run_.concave, chamfer_at(place));
+  return traced_strip(body, at, run_.concave, of_[place]);
 }
 
 RolledStrip RunProfiles::strip(const BodyEdges& body, std::size_t place) const {

@@ -26,9 +26,10 @@ class RunProfiles {
   /// throws   FilletRefused
   RolledStrip strip(const BodyEdges& body, std::size_t place) const;
 
-  /// The strip of a chamfer beside an edge of the run, on other faces than its own.
+  /// The strip of a chamfer, or of radii by a law, beside an edge of the run, on other faces than
+  /// its own.
   /// throws   FilletRefused
-  RolledStrip chamfer(const BodyEdges& body, std::size_t place, const ChamferPlace& at) const;
+  RolledStrip guided(const BodyEdges& body, std::size_t place, const GuidedPlace& at) const;
 
   /// The profile of strips beside all edges, if it is one.
   std::optional<StripProfile> everywhere() const;

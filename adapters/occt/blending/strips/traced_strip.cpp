@@ -131,6 +131,7 @@ void turn_round(RolledStrip& strip, double about) {
   }
   for (Interval* each : {&strip.range, &strip.edge_range, &strip.most})
     *each = {about - each->to, about - each->from};
+  std::swap(strip.pinched[0], strip.pinched[1]);
 }
 
 Interval common(const Interval& a, const Interval& b) {
@@ -156,6 +157,7 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
   mutable std::shared_ptr<StripMaker> strips;  // along it
   bool turned = false;                         // t = - the track's parameter
   Interval valid, edge_range;
+  std::array<bool, 2> pinched{};        // at the ends of what is valid
   std::optional<Interval> kept;         // of a loop that was cut open: what of it may be used
   std::shared_ptr<const Tracing> loop;  // that one, which has the track's surfaces
 
@@ -208,7 +210,7 @@ void Tracing::start_by_law(const Interval& domain) {
                     {first.X(), first.Y(), first.Z()},
                     {second.X(), second.Y(), second.Z()}};
   };
-  track = track_through(supports.of[0].whole(), supports.of[1].whole(), law, guide, at(domain, 0.5),
+  track = track_through(supports.of[0].whole(), supports.of[1].whole(), law, guide, near_at,
                         {supports.of[0].start, supports.of[1].start});
   if (!track)
     refuse(FilletFault::NoBall, "no ball of that radius touches both faces beside the edge", {});
@@ -221,6 +223,9 @@ void Tracing::find_valid(double parameter) {
     if (parameter < stretch.range.from || parameter > stretch.range.to) continue;
     if (!stretch.valid) break;
     valid = kept ? common(stretch.range, *kept) : stretch.range;
+    const Interval all = track->domain();
+    pinched = {valid.from == stretch.range.from && valid.from > all.from,
+               valid.to == stretch.range.to && valid.to < all.to};
     return;
   }
   const BallPinch tightest = tightest_of(*track);
@@ -327,6 +332,7 @@ RolledStrip Tracing::strip(const Interval& wanted) const {
   strip.range = range;
   strip.edge_range = edge_range;
   strip.most = valid;
+  strip.pinched = pinched;
   strip.bend = held;
   for (const std::size_t k : {0U, 1U}) {
     strip.contacts[k] = {faces[k], to_occt(made.contacts[k].row), to_occt(made.contacts[k].chart),
@@ -411,8 +417,8 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
   }
   const double beyond = kRollWidths * std::max(of->supports.width, of->radius);
   if (profile.law) {
-    of->start_by_law(domain);
     of->near_at = at(domain, 0.5);
+    of->start_by_law(domain);
     of->find_valid(of->near_at);
     of->edge_range = common(domain, of->valid);
     if (of->edge_range.from > domain.from || of->edge_range.to < domain.to)
@@ -471,6 +477,24 @@ RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge
   const Interval range = common({of->near_at - beyond, of->near_at + beyond}, of->valid);
   of->edge_range = range;
   return of->strip(of->turned ? Interval{-range.to, -range.from} : range);
+}
+
+RolledStrip traced_strip(const BodyEdges& body, const GuidedPlace& place, bool concave,
+                         const StripProfile& profile) {
+  const auto of = std::make_shared<Tracing>(body, place.edge, concave, profile);
+  Interval domain;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(body.edge(place.edge), domain.from, domain.to);
+  BallPlace ball;
+  ball.faces = of->faces = place.faces;
+  ball.charts = of->near = place.charts;
+  ball.centre = vec(curve->Value(place.at));
+  of->supports = supports_at(body, ball, concave, of->radius);
+  of->near_at = place.at;
+  of->start_by_law(domain);
+  of->find_valid(place.at);
+  of->edge_range = common(domain, of->valid);
+  const double beyond = kRollWidths * of->radius / curve->DN(place.at, 1).Magnitude();
+  return of->strip(common({place.at - beyond, place.at + beyond}, of->valid));
 }
 
 }  // namespace blossom::occt

@@ -47,11 +47,23 @@ void BallWalker::check_end(const WalkedStrip& of, std::size_t place, int step,
                            const WalkExit& end) const {
   std::size_t nearest = 0;
   if (!is_before_end(of, place, step, end, nearest)) return;
-  refuse(FilletFault::LeavesFace, nearest,
-         "the ball stops at a border of face " + std::to_string(of.strip.contacts[0].face) +
-             " or face " + std::to_string(of.strip.contacts[1].face) +
-             " before it comes to the end of the edges",
-         vec(of.strip.spine->Value(end.t).XYZ()));
+  const Vec3 centre = vec(of.strip.spine->Value(end.t).XYZ());
+  const Interval& most = of.strip.most;
+  if (end.sharp_edge == 0 &&
+      ((end.t == most.from && of.strip.pinched[0]) || (end.t == most.to && of.strip.pinched[1])))
+    refuse(FilletFault::Pinch, nearest,
+           "the ball is too large for the curvature of face " +
+               std::to_string(of.strip.contacts[0].face) + " or face " +
+               std::to_string(of.strip.contacts[1].face) +
+               ": it rolls only along a part of the edge",
+           centre);
+  refuse(
+      FilletFault::LeavesFace, nearest,
+      "the ball stops at " +
+          (end.sharp_edge > 0 ? "edge " + std::to_string(end.sharp_edge) + ", " : std::string()) +
+          "a border of face " + std::to_string(of.strip.contacts[0].face) + " or face " +
+          std::to_string(of.strip.contacts[1].face) + ", before it comes to the end of the edges",
+      centre);
 }
 
 // How a ball goes on at a place of its way, by the edge of the run that is nearest to it.

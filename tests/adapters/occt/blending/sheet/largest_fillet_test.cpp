@@ -25,6 +25,7 @@
 #include <TColgp_Array1OfPnt.hxx>
 #include <gp.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Elips.hxx>
 #include <gp_Vec.hxx>
 
 #include "adapters/occt/edge_facts.h"
@@ -141,6 +142,25 @@ TEST(LargestFillet, OfATroughIsItsRadiusOfCurvature) {
 }
 
 // The floor of a channel is 1 wide.
+// Its wall turns most where two edges of its rim follow each other, away from their middles: balls
+// that fit there are stopped on the way, by the curvature that b^2 / a is the least radius of.
+TEST(LargestFillet, OfAnEllipticPocketIsItsLeastRadiusOfCurvature) {
+  const gp_Elips ellipse(gp_Ax2({0, 0, -4}, {0, 0, 1}, {1, 0, 0}), 8, 2);
+  BRepBuilderAPI_MakeWire rim;
+  rim.Add(BRepBuilderAPI_MakeEdge(ellipse, 0, std::numbers::pi));
+  rim.Add(BRepBuilderAPI_MakeEdge(ellipse, std::numbers::pi, 2 * std::numbers::pi));
+  const TopoDS_Shape core =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(rim.Wire()), gp_Vec(0, 0, 8)).Shape();
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-10, -5, -8), gp_Pnt(10, 5, 0)).Shape();
+  const TopoDS_Shape pocket = BRepAlgoAPI_Cut(block, core).Shape();
+  const std::vector<int> floor = edges_that_have(pocket, EdgeKind::Concave);
+  ASSERT_EQ(floor.size(), 2U);
+  const FilletResult made = fillet(pocket, floor, {.radius = 0.7});
+  ASSERT_EQ(made.refused.size(), 1U);
+  EXPECT_EQ(made.refused.front().fault, FilletFault::Pinch) << made.refused.front().text();
+  expect_told(pocket, floor, 0.7, 0.5, kClose);
+}
+
 TEST(LargestFillet, OfBothEdgesOfAChannelIsHalfItsFloor) {
   const TopoDS_Shape shape =
       BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(3, 6, 3).Shape(),
