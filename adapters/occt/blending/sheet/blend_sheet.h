@@ -266,7 +266,7 @@ class BlendSheet {
   Interval part_near(const DirectedEdge& half, const std::array<double, 2>& t);
   TopoDS_Edge section(const PlacedStrip& of, const StripEnd& end);
   void cap_face(const DirectedEdge& half, const Interval& part, int face, const TopoDS_Vertex& from,
-                const TopoDS_Vertex& to, bool touches = false);
+                const TopoDS_Vertex& to);
   /// Where a curve in a face goes over the line of the face's seam.
   struct SeamMeeting {
     int edge = 0;

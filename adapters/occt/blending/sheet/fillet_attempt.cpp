@@ -60,7 +60,8 @@ std::string bends_note(const FilletEdges& all, const FilletEdges& grown) {
     edges += (count++ == 0 ? "" : ", ") + std::to_string(edge);
   }
   return std::string("the fillet goes on over slight bends in ") +
-         (count == 1 ? "edge " : "edges ") + edges + ": before them it cannot end";
+         (count == 1 ? "edge " : "edges ") + edges +
+         ": before them it could not end, or not where its edges do";
 }
 
 }  // namespace

@@ -175,14 +175,27 @@ BlendSheet::Cut BlendSheet::grown_up_to(const Ring& ring, bool on_left, int grow
   return {*t, joined};
 }
 
+namespace {
+
+// Of the angle at which a strip meets a face near a point.
+double sine_at(const RolledStrip& strip, const TopoDS_Face& face, const Vec3& point) {
+  const auto normal = [&](const TopoDS_Face& of) {
+    const SurfaceProjector feet(of, Precision::Confusion());
+    const SurfaceJet frame = frame_at(feet.surface(), feet.foot(point, std::nullopt));
+    return unit(cross(frame.du, frame.dv));
+  };
+  return norm(cross(normal(strip.bare_face()), normal(face)));
+}
+
+}  // namespace
+
 // Across one of the faces at the end of a strip, from its left to its right.
 //
-// Where a contact comes to the face over a smooth edge, strip and face touch, but for the edge's
-// tolerance e: with curvatures that differ by 1/r they meet up to sqrt(2 e r) beside the contact.
-//
-// touches   whether one of the ends is such a contact
+// Where both meet at a small angle, as a strip and the face behind a slight bend do, what either is
+// off, e, moves their curve by e over its sine: by no more than up to where surfaces that touch,
+// with curvatures that differ by 1/r, part by that, sqrt(2 e r).
 void BlendSheet::cap_face(const DirectedEdge& half, const Interval& part, int face,
-                          const TopoDS_Vertex& from, const TopoDS_Vertex& to, bool touches) {
+                          const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
   const RolledStrip& strip = strip_of(half).strip;
   if (strip.concave && has_pole_at(body_, face, body_.vertex(half)))
     refuse(half, FilletFault::End,
@@ -190,7 +203,10 @@ void BlendSheet::cap_face(const DirectedEdge& half, const Interval& part, int fa
                ", which would have to close round it: this cannot be built yet");
   double reach =
       kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(from), BRep_Tool::Tolerance(to)});
-  if (touches) reach = std::max(reach, std::sqrt(2 * kSamePlace * tolerance_ * strip.radius));
+  const double off = kSamePlace * tolerance_;
+  for (const TopoDS_Vertex& end : {from, to})
+    reach = std::max(reach, std::min(std::sqrt(2 * off * strip.radius),
+                                     off / sine_at(strip, body_.face(face), point_of(end))));
   const auto curve =
       curve_between(strip, part, body_.face(face), point_of(from), point_of(to), reach);
   if (!curve)
@@ -378,12 +394,7 @@ void BlendSheet::cap(const Ring& ring) {
     if (count == kMaxFacesInARow) refuse(half, FilletFault::End, "too many faces are at its end");
     face = cross_face(ring, part, face, place, from);
   }
-  entered = place.edge;
-  const auto is_smooth = [&](int edge) {
-    double angle = 0;
-    return edge > 0 && edge_kind(body_, edge, angle) == EdgeKind::Smooth;
-  };
-  cap_face(half, part, face, from, right.vertex, is_smooth(entered) || is_smooth(left_at));
+  cap_face(half, part, face, from, right.vertex);
   turn_path(half);
 }
 
