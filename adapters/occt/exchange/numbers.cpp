@@ -47,6 +47,7 @@ void check_face(const TopoDS_Face& face, const NumberSource& source) {
     const bool triangles = !BRep_Tool::Triangulation(face, location).IsNull();
     throw BadModel(triangles ? "it has triangles and no surface" : "it has no surface");
   }
+  check_inner_place(location, "its surface");
   check_numbers(*surface);
   check_tolerance(BRep_Tool::Tolerance(face));
 }
@@ -82,6 +83,7 @@ void check_range(double first, double last) {
 
 void check_representation(const BRep_CurveRepresentation& curve, const NumberSource& source,
                           bool has_curve) {
+  check_inner_place(curve.Location(), "a curve of it");
   if (const auto* ranged = dynamic_cast<const BRep_GCurve*>(&curve))
     check_range(ranged->First(), ranged->Last());
   // A BREP file names the curve then, and Open CASCADE takes none for it.

@@ -46,11 +46,13 @@ constexpr double kRoundedMatrix = 1e-5;
 
 bool only_moves(double scale) { return std::abs(scale - 1) <= kRoundedScale; }
 
-double scale_of(const TopoDS_Shape& shape) {
-  if (shape.Location().IsIdentity()) return 1;
-  const double scale = shape.Location().Transformation().ScaleFactor();
+double scale_of(const TopLoc_Location& place) {
+  if (place.IsIdentity()) return 1;
+  const double scale = place.Transformation().ScaleFactor();
   return only_moves(scale) ? 1 : scale;
 }
+
+double scale_of(const TopoDS_Shape& shape) { return scale_of(shape.Location()); }
 
 bool can_be_baked(double scale) {
   return std::isfinite(scale) && std::abs(scale) > std::numeric_limits<double>::min();
@@ -244,6 +246,11 @@ void check_place(const TopoDS_Shape& shape) {
   const double scale = scale_of(shape);
   if (!can_be_baked(scale)) throw BadModel("its place is no motion, with a scale or without");
   if (!only_moves(std::abs(scale))) throw BadModel("its place scales it");
+}
+
+void check_inner_place(const TopLoc_Location& place, const char* whose) {
+  if (!can_be_baked(scale_of(place)))
+    throw BadModel(std::string("the place of ") + whose + " is no motion, with a scale or without");
 }
 
 void spoil_unfit_places(std::string& content, const EntriesOfPlaces& where) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 
+#include <TopLoc_Location.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/reading.h"
@@ -15,6 +16,12 @@ namespace blossom::occt {
 /// Whether the place of a shape scales it, or is no place: Open CASCADE uses none of these.
 /// throws   BadModel in words if it is
 void check_place(const TopoDS_Shape& shape);
+
+/// Whether the place of a surface or curve inside a shape is none.
+///
+/// whose    it is, in words
+/// throws   BadModel if it is
+void check_inner_place(const TopLoc_Location& place, const char* whose);
 
 /// The table of places of a BREP text or of binary BREP, behind its count.
 struct EntriesOfPlaces {

@@ -17,8 +17,10 @@
 #include <BRep_Builder.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_Plane.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
@@ -88,6 +90,31 @@ TEST(OddPlaces, FacesAtPlacesThatAreNoneAreLeftOut) {
   ASSERT_EQ(model.reading().losses.size(), 1U);
   EXPECT_EQ(model.reading().losses[0].cause, "its place is no motion, with a scale or without");
   EXPECT_EQ(model.reading().losses[0].count, 6);
+}
+
+// Of what such a place makes no numbers, Open CASCADE may turn a curve round for ever.
+TEST(OddPlaces, FacesOfSurfacesAtPlacesThatAreNoneAreLeftOut) {
+  const Folder folder;
+  gp_Trsf move;
+  move.SetTranslation(gp_Vec(5, 0, 0));
+  BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln()), TopLoc_Location(move), 1e-7);
+  builder.Add(face, BRepBuilderAPI_MakePolygon({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, true).Wire());
+  TopoDS_Compound both;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(1, 2, 3).Shape());
+  builder.Add(both, face);
+  BRepTools::Write(both, (folder / "placed.brep").c_str());
+  std::string text = testing::content(folder / "placed.brep");
+  const std::size_t start = text.find("Locations 1\n1\n") + 14;
+  text.replace(start, text.find('\n', start) - start, "3 0 0 5");
+  testing::write_content(folder / "placed.brep", text);
+  const Model model = read_model(folder / "placed.brep");
+  EXPECT_EQ(model.face_count(), 6);
+  ASSERT_EQ(model.reading().losses.size(), 1U);
+  EXPECT_EQ(model.reading().losses[0].cause,
+            "the place of its surface is no motion, with a scale or without");
 }
 
 TEST(OddPlaces, MirroredFacesAreReadAndChecked) {
