@@ -42,8 +42,8 @@ def _numbers(values: Sequence[float]) -> str:
 
 def read_file(path: str, strict: bool, control: Control) -> Model:
     model = Model(path, path)
-    answer = asked(["info"], [model], control, ["--faces", *(["--strict"] if strict else [])], "")
-    model._known = answer.report(True)
+    options = ["--tree", *(["--strict"] if strict else [])]
+    model.know(asked(["info"], [model], control, options, ""))
     return model
 
 
@@ -55,7 +55,7 @@ def read_passing(path: str, name: str) -> Model:
 def read_bytes(brep: bytes, name: str, trusted: bool) -> Model:
     model = of_bytes(brep, name, ".brep")
     if not trusted:
-        model._info()
+        model.numbers()
     return model
 
 
@@ -82,8 +82,9 @@ def _of_net(kind: str, degree: Union[int, List[int]], net: Any, name: str) -> Mo
     rational = net.shape[-1] == 4
     if rational:  # files have points that are multiplied by their weights
         net = np.concatenate([net[..., :3] * net[..., 3:], net[..., 3:]], axis=-1)
-    told_net = {"kind": kind, "form": "bezier", "degree": degree, "rational": rational, "points": net.tolist()}
-    data = json.dumps({"schema": "blossom.net/1", "nets": [told_net]}).encode()
+    told = {"kind": kind, "form": "bezier", "degree": degree, "rational": rational}
+    nets = {"schema": "blossom.net/1", "nets": [{**told, "points": net.tolist()}]}
+    data = json.dumps(nets).encode()
     brep = asked(["convert"], [of_bytes(data, name, ".json")], None, shape="brep", name=name)
     made = brep.model()
     assert made is not None
@@ -162,9 +163,10 @@ def sections(
         for told_plane, plane in zip(report["planes"], planes):
             told_plane["offset"] = plane[3]
 
-    answer = asked(["query", "plane"], [model], control, ["--planes", listed], None, "sections", with_offsets)
-    answer.planes_folder = folder  # type: ignore[attr-defined]  # for later runs
-    return answer
+    options = ["--planes", listed]
+    return asked(
+        ["query", "plane"], [model], control, options, None, "sections", with_offsets, folder
+    )
 
 
 def clash(
@@ -250,7 +252,7 @@ def fillet(
         options.append(f"--law={file}")
     else:
         options.append(f"--radius={radius!r}")
-    return asked(["blend", "fillet"], [part], control, options)
+    return asked(["blend", "fillet"], [part], control, options, needed=folder)
 
 
 def _size(radius: float, law: str) -> str:
@@ -317,17 +319,18 @@ def subdivide(
     control: Control,
 ) -> Answer:
     options = [f"--levels={levels}"] if levels else []
-    for word, values in (("interval", interval), ("rectangle", rectangle), ("triangle", triangle), ("q", q)):
-        options += [f"--{word}", *map(repr, values)] if values else []
-    return asked(["subdivide"], [model], control, options, name="subdivision")
+    places = {"interval": interval, "rectangle": rectangle, "triangle": triangle, "q": q}
+    return asked(["subdivide"], [model], control, options + _lists(places), name="subdivision")
+
+
+def _lists(values: Dict[str, List[float]]) -> Words:
+    return [each for word, of in values.items() if of for each in (f"--{word}", *map(repr, of))]
 
 
 def subdivide_whole(
     model: Model, interval: List[float], rectangle: List[float], control: Control
 ) -> Answer:
-    options = ["--whole"]
-    for word, values in (("interval", interval), ("rectangle", rectangle)):
-        options += [f"--{word}", *map(repr, values)] if values else []
+    options = ["--whole", *_lists({"interval": interval, "rectangle": rectangle})]
     return asked(["subdivide"], [model], control, options, name="subdivision")
 
 
@@ -346,7 +349,8 @@ def _facets(deviation: float, angle: float, edge_length: float, aspect: float) -
 def mesh(
     model: Model, deviation: float, angle: float, edge_length: float, aspect: float, control: Control
 ) -> Answer:
-    return asked(["convert"], [model], control, _facets(deviation, angle, edge_length, aspect), "obj", "mesh")
+    options = _facets(deviation, angle, edge_length, aspect)
+    return asked(["convert"], [model], control, options, "obj", "mesh")
 
 
 def write_mesh(

@@ -36,13 +36,19 @@ def refuse(what: str) -> NoReturn:
 
 
 class Model:
-    """A file, or what is named in it."""
+    """A file, or what is named in it.
+
+    name    what reports call it
+    words   what is named in the file; empty for all of it
+    folder  of a file of ours, which stays while a model needs it
+    """
 
     def __init__(self, path: str, name: str, words: str = "", folder: Optional[Folder] = None):
-        self.path = path
+        self.path = os.path.abspath(path)
         self.name = name
         self.words = words
-        self.folder = folder  # of a file of ours
+        self.folder = folder
+        self._whole = self
         self.left_out: Dict[str, List[int]] = {}
         self._known: Optional[Dict[str, Any]] = None
 
@@ -52,13 +58,22 @@ class Model:
 
     @property
     def file(self) -> str:
-        return "" if self.folder else self.path
+        return "" if self.folder else self._whole.name
+
+    @property
+    def names(self) -> Dict[str, str]:
+        """What its input and its file are called."""
+        return {self.input: self.name, self.path: self._whole.name}
 
     def _info(self) -> Dict[str, Any]:
         if self._known is None:
-            answer = asked(["info"], [self], None, ["--faces"], shape="")
-            self._known = answer.report(True)
+            self.know(asked(["info"], [self], None, ["--tree"], shape=""))
+        assert self._known is not None
         return self._known
+
+    def know(self, info: "Answer") -> None:
+        """What the program tells of it."""
+        self._known = info.report(True)
 
     @property
     def face_count(self) -> int:
@@ -66,8 +81,7 @@ class Model:
 
     @property
     def counts(self) -> Dict[str, int]:
-        whole = Model(self.path, self.name, "", self.folder) if self.words else self
-        return dict(whole._info()["counts"])
+        return dict(self._whole._info()["counts"])
 
     @property
     def file_unit(self) -> str:
@@ -82,17 +96,31 @@ class Model:
         return [int(face["number"]) for face in self._info()["faces"]]
 
     def face_names(self) -> List[str]:
-        return [str(face["name"]) for face in self._info()["faces"]]
+        return [str(face["name"]) for face in self._whole._info()["faces"]]
 
     def part_paths(self) -> List[str]:
-        return self.face_names()
+        paths = [""] * len(self.face_names())
+        parts = list(self._whole._info().get("tree", []))
+        while parts:
+            part = parts.pop()
+            parts += part["parts"]
+            for face in part["faces"]:
+                paths[face - 1] = str(part["path"])
+        return paths
 
     def repairs(self) -> Dict[str, Any]:
         report = asked(["query", "mass"], [self], None, shape="").report(True)
         return dict(report["repairs"][0])
 
     def part(self, numbers: List[int], words: List[str], name: str) -> "Model":
-        return Model(self.path, name, ",".join([*map(str, numbers), *words]), self.folder)
+        count = self.counts["faces"]
+        if numbers and max(numbers) > count:
+            raise ValueError(f"{name}: there is no face {max(numbers)} in it, it has {count}")
+        made = Model(self.path, name, ",".join([*map(str, numbers), *words]), self.folder)
+        made._whole = self._whole
+        if words:
+            made._info()  # which tells whether they name anything
+        return made
 
     def words_in(self, listed: str) -> List[str]:
         return listed.split(",")
@@ -128,10 +156,17 @@ class Triangles:
 class Answer:
     """A report, and files that are made when they are asked for, if they are not there yet."""
 
-    def __init__(self, command: Words, models: Sequence[Model], control: Optional[Control]) -> None:
+    def __init__(
+        self,
+        command: Words,
+        models: Sequence[Model],
+        control: Optional[Control],
+        needed: Optional[Folder],
+    ) -> None:
         self._command = command
         self._models = list(models)
         self._control = control
+        self._needed = needed
         self._folder = Folder()
         self._name = ""
         self._report = ""
@@ -150,8 +185,7 @@ class Answer:
             made = shape if os.sep in shape else self._folder.file(f"{self._name}.{shape}")
             self._files[shape] = made
             output = ["-o", made]
-        names = {model.input: model.name for model in self._models if model.folder}
-        names.update({model.path: model.name.partition("#")[0] for model in self._models if model.folder})
+        names = {file: name for model in self._models for file, name in model.names.items()}
         text = told([*self._command, *output], names, self._folder, self._control)
         for file, called in names.items():
             text = text.replace(json.dumps(file)[1:-1], json.dumps(called)[1:-1])
@@ -174,7 +208,7 @@ class Answer:
             report["output"] = None
             report.update({"lost": []} if "lost" in report else {})  # in that file
         if "reading" in report:
-            ours = {model.name.partition("#")[0] for model in self._models if model.folder}
+            ours = {model._whole.name for model in self._models if model.folder}
             kept = [each for each in report.pop("reading") if each["file"] not in ours]
             report.update({"reading": kept} if kept else {})
         self._change(report)
@@ -236,13 +270,16 @@ def asked(
     shape: Optional[str] = None,
     name: str = "",
     change: Optional[Change] = None,
+    needed: Optional[Folder] = None,
 ) -> Answer:
-    """shape   as of `Answer.ask`; None is BREP, or STEP where there are names to keep"""
+    """shape   as of `Answer.ask`; None is BREP, or STEP where there are names to keep
+    needed  has files that options name
+    """
     if shape is None:
         named = any(not model.path.endswith(".brep") for model in models)
         shape = "step" if named else "brep"
     inputs = [model.input for model in models]
-    answer = Answer([*command, *inputs, *options, *_limits(command, control)], models, control)
+    answer = Answer([*command, *inputs, *options, *_limits(command, control)], models, control, needed)
     answer.ask(shape, name or command[-1], change)
     return answer
 

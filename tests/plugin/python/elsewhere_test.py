@@ -69,11 +69,16 @@ def answers(folder):
     """Reports of all questions, about files and about bytes."""
     os.chdir(folder)
     block, drill = blossom.read("block.step"), blossom.read("drill.step")
-    by_bytes = [blossom.shape(each.to_brep(), name) for each, name in ((block, "a"), (drill, "b"))]
     told = {"info": block.info(edges=True, faces=True)}
-    for kind, models in (("files", (block, drill)), ("bytes", by_bytes)):
-        for name, ask in questions(*models).items():
-            told[f"{name}, {kind}"] = ask().to_dict()
+    for model in (blossom.read("cutters.step"), block.part("Block")):
+        told[model.name] = [model.counts, model.face_names, model.part_paths, model.face_numbers]
+        told[model.name] += [model.file, model.file_unit, model.reading]
+    told["repairs"] = block.repairs
+    for name, ask in questions(block, drill).items():
+        told[name] = ask().to_dict()
+    by_bytes = [blossom.shape(each.to_brep(), name) for each, name in ((block, "a"), (drill, "b"))]
+    for name in ("intersect", "section", "trim", "cut", "fillet", "check"):
+        told[f"{name}, bytes"] = questions(*by_bytes)[name]().to_dict()
     return told
 
 
@@ -134,6 +139,7 @@ def claims_elsewhere(folder):
         block, drill = (blossom.read(folder / f"{name}.step") for name in ("block", "drill"))
     claim(f"it is said once: {heard}", [OTHER in str(each.message) for each in heard] == [True])
     claim("with the line that asked", heard[0].filename == __file__)
+    os.chdir("/")
     made = block.solid("cut", drill)
     claim("an answer goes on", round(made.model.volume, 3) == 43978.761)
     claim("with its names", set(made.model.face_names) == {"Block"})
@@ -161,6 +167,8 @@ def refusals(block, folder):
     """What cannot be had is said."""
     refused(ValueError, "no such file", lambda: blossom.read("none.step"))
     refused(ValueError, "shape", lambda: blossom.shape(b"junk"))
+    refused(ValueError, "no face 99", lambda: block.face(99))
+    refused(ValueError, "Shaft", lambda: block.part("Shaft"))
     refused(ValueError, "edge 99", lambda: block.fillet([99], radius=1))
     refused(blossom.Error, "watertight() is not to be had of the program", block.watertight)
     refused(blossom.Error, "another Open CASCADE", lambda: blossom.from_mesh(str(folder / "elsewhere.stl")))
