@@ -10,11 +10,12 @@ import tempfile
 import time
 import weakref
 from dataclasses import dataclass
-from typing import Callable, Dict, Optional, Sequence
+from typing import Callable, Dict, List, Optional, Sequence
 
 from . import _engine
 
-_ANSWERED = (0, 3, 4, 5)  # complete, within tolerance, stopped, findings
+_DONE = (0, 3)  # complete, within tolerance
+_ANSWERED = (*_DONE, 4, 5)  # stopped, findings
 _PAUSE = 0.02  # seconds between looks whether the work is cancelled
 
 
@@ -75,19 +76,30 @@ def told(
         os.remove(report)
     with open(errors, "w", encoding="utf-8") as stream:
         with subprocess.Popen(
-            [program, *command, "--json", report, "-q"],
+            [program, *command, "--json", report],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=stream, env=_environment(),
         ) as process:  # fmt: skip
             code = _ended(process, control)
-    text = ""
-    if os.path.exists(report):
-        with open(report, encoding="utf-8") as stream:
-            text = stream.read()
-    if text or code in _ANSWERED:
-        return text
-    with open(errors, encoding="utf-8", errors="replace") as stream:
-        said = _message(stream.read(), names) or f"{program} {command[0]} ended with {code}"
-    raise ValueError(said) if code == 2 else Error(said)
+    text = _text_of(report) if os.path.exists(report) else ""
+    said = _notes(_text_of(errors), names)
+    if not text and code not in _ANSWERED:
+        words = said[-1] if said else f"{program} {command[0]} ended with {code}"
+        raise ValueError(words) if code == 2 else Error(words)
+    if code in _DONE:
+        for note in said:
+            _warn(note)
+    return text
+
+
+def _text_of(file: str) -> str:
+    with open(file, encoding="utf-8", errors="replace") as stream:
+        return stream.read()
+
+
+def _warn(text: str) -> None:
+    from ._shapes import warn  # which asks this module
+
+    warn(text)
 
 
 def _program() -> str:
@@ -100,9 +112,7 @@ def _program() -> str:
 
 @functools.lru_cache(maxsize=None)
 def _say_once(program: str) -> None:
-    from ._shapes import warn
-
-    warn(f"{_engine.why_elsewhere()}: {program} answers, in processes of its own and over files")
+    _warn(f"{_engine.why_elsewhere()}: {program} answers, in processes of its own and over files")
 
 
 def _environment() -> Dict[str, str]:
@@ -128,6 +138,7 @@ def _ended(process: "subprocess.Popen[bytes]", control: Optional[Control]) -> in
                     control.progress(time.monotonic() - start)
     except BaseException:
         process.terminate()
+        process.wait()
         raise
 
 
@@ -140,10 +151,11 @@ def _give_way(pid: int, nice: int) -> None:
         pass
 
 
-def _message(said: str, names: Dict[str, str]) -> str:
-    """What the program says, as if it were about shapes."""
-    lines = [line for line in said.splitlines() if not line.startswith("see 'blossom ")]
-    text = re.sub(r"^blossom: ", "", "\n".join(lines).strip())
+def _notes(said: str, names: Dict[str, str]) -> List[str]:
+    """What the program says on stderr, as if it were about shapes and arguments."""
     for file, name in names.items():
-        text = text.replace(file, name)
-    return text
+        said = said.replace(file, name)
+    said = re.sub(r"(?<!\S)--([a-z][a-z-]*)", lambda option: option[1].replace("-", "_"), said)
+    lines = [line for line in said.splitlines() if not line.startswith("see 'blossom ")]
+    notes = re.split(r"^blossom: ", "\n".join(lines), flags=re.MULTILINE)
+    return [note.strip() for note in notes if note.strip()]

@@ -7,6 +7,7 @@ It stands for `_core` where that must not be loaded; see `_engine`.
 import json
 import math
 import os
+import shutil
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -41,7 +42,15 @@ def _numbers(values: Sequence[float]) -> str:
 
 
 def read_file(path: str, strict: bool, control: Control) -> Model:
-    model = Model(path, path)
+    folder = Folder()
+    copy = folder.file(os.path.basename(path))
+    try:
+        shutil.copyfile(path, copy)  # a model stays, whatever becomes of its file
+    except FileNotFoundError:
+        raise ValueError(f"{path}: no such file") from None
+    except OSError as error:
+        raise ValueError(f"{path}: {error.strerror or error}") from None
+    model = Model(copy, path, folder, path)
     options = ["--tree", *(["--strict"] if strict else [])]
     model.know(asked(["info"], [model], control, options, ""))
     return model
@@ -54,8 +63,8 @@ def read_passing(path: str, name: str) -> Model:
 
 def read_bytes(brep: bytes, name: str, trusted: bool) -> Model:
     model = of_bytes(brep, name, ".brep")
-    if not trusted:
-        model.numbers()
+    if not trusted:  # nothing of it may be missing
+        model.know(asked(["info"], [model], None, ["--tree", "--strict"], ""))
     return model
 
 
@@ -79,6 +88,8 @@ def net_edge(net: Any, knots: Any, name: str) -> Model:
 
 
 def _of_net(kind: str, degree: Union[int, List[int]], net: Any, name: str) -> Model:
+    if not np.isfinite(net).all():
+        raise ValueError(f"{name}: a point is not finite")
     rational = net.shape[-1] == 4
     if rational:  # files have points that are multiplied by their weights
         net = np.concatenate([net[..., :3] * net[..., 3:], net[..., 3:]], axis=-1)
@@ -157,11 +168,13 @@ def sections(
     folder = Folder()
     listed = folder.file("planes.txt")
     with open(listed, "w", encoding="utf-8") as stream:
-        stream.writelines(f"{_numbers(p)},{_numbers(n)} {name}\n" for p, n, name, _ in planes)
+        for point, normal, name, offset in planes:
+            own = "" if offset is not None else f" {name}"
+            stream.write(f"{_numbers(point)},{_numbers(normal)}{own}\n")
 
     def with_offsets(report: Dict[str, Any]) -> None:
-        for told_plane, plane in zip(report["planes"], planes):
-            told_plane["offset"] = plane[3]
+        for told, (_, _, name, offset) in zip(report["planes"], planes):
+            told.update(name=name, offset=offset)
 
     options = ["--planes", listed]
     return asked(
@@ -239,6 +252,9 @@ def fillet(
     partial: bool,
     control: Control,
 ) -> Answer:
+    for edge, *_ in own:
+        if edges and edge not in edges:
+            raise ValueError(f"edge {edge} has a radius, but is not among the edges")
     folder = Folder()
     options = [*_chosen(edges, kind, between, partial), f"--section={section}"]
     options += [] if setback is None else [f"--setback={setback!r}"]
@@ -303,7 +319,7 @@ def sew(model: Model, control: Control) -> None:
         refuse("sew() of a part")
     made = asked(["convert"], [model], control, name=os.path.splitext(model.name)[0]).model()
     assert made is not None
-    model.path, model.folder, model._known = made.path, made.folder, None
+    model.path, model.folder, model.file, model._known = made.path, made.folder, "", None
 
 
 # Forms and triangles

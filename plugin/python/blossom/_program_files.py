@@ -36,18 +36,20 @@ def refuse(what: str) -> NoReturn:
 
 
 class Model:
-    """A file, or what is named in it.
+    """A file of ours, or what is named in it.
 
     name    what reports call it
-    words   what is named in the file; empty for all of it
-    folder  of a file of ours, which stays while a model needs it
+    folder  stays while a model needs its file
+    file    of the user's, which it is a copy of; empty of others
+    words   what is named in it; empty for all of it
     """
 
-    def __init__(self, path: str, name: str, words: str = "", folder: Optional[Folder] = None):
-        self.path = os.path.abspath(path)
+    def __init__(self, path: str, name: str, folder: Folder, file: str = "", words: str = ""):
+        self.path = path
         self.name = name
-        self.words = words
         self.folder = folder
+        self.file = file
+        self.words = words
         self._whole = self
         self.left_out: Dict[str, List[int]] = {}
         self._known: Optional[Dict[str, Any]] = None
@@ -55,10 +57,6 @@ class Model:
     @property
     def input(self) -> str:
         return f"{self.path}#{self.words}" if self.words else self.path
-
-    @property
-    def file(self) -> str:
-        return "" if self.folder else self._whole.name
 
     @property
     def names(self) -> Dict[str, str]:
@@ -81,11 +79,11 @@ class Model:
 
     @property
     def counts(self) -> Dict[str, int]:
-        return dict(self._whole._info()["counts"])
+        return dict(self._info()["counts"])
 
     @property
     def file_unit(self) -> str:
-        return "" if self.folder else str(self._info()["file_unit"])
+        return str(self._info()["file_unit"]) if self.file else ""
 
     @property
     def reading(self) -> Optional[Dict[str, Any]]:
@@ -113,10 +111,11 @@ class Model:
         return dict(report["repairs"][0])
 
     def part(self, numbers: List[int], words: List[str], name: str) -> "Model":
-        count = self.counts["faces"]
+        count = self._whole.counts["faces"]
         if numbers and max(numbers) > count:
             raise ValueError(f"{name}: there is no face {max(numbers)} in it, it has {count}")
-        made = Model(self.path, name, ",".join([*map(str, numbers), *words]), self.folder)
+        chosen = ",".join([*map(str, numbers), *words])
+        made = Model(self.path, name, self.folder, self.file, chosen)
         made._whole = self._whole
         if words:
             made._info()  # which tells whether they name anything
@@ -208,8 +207,9 @@ class Answer:
             report["output"] = None
             report.update({"lost": []} if "lost" in report else {})  # in that file
         if "reading" in report:
-            ours = {model._whole.name for model in self._models if model.folder}
-            kept = [each for each in report.pop("reading") if each["file"] not in ours]
+            read = {each["file"]: each for each in report.pop("reading")}
+            files = dict.fromkeys(model.file for model in self._models)  # each once, in order
+            kept = [read[file] for file in files if file in read]
             report.update({"reading": kept} if kept else {})
         self._change(report)
         if not samples:
@@ -221,7 +221,7 @@ class Answer:
             if ending in self._files:
                 file = self.made(ending)
                 if file:
-                    return Model(file, self._name, "", self._folder)
+                    return Model(file, self._name, self._folder)
                 return nothing() if self._name in ("intersection", "section") else None
         return None
 
@@ -229,9 +229,10 @@ class Answer:
         return _program_records.of(self._command, self.report(True), self.made)
 
     def draw(self, file: str, control: Control) -> None:
+        self._control = control
         made = self.made(os.path.splitext(file)[1].lower().lstrip("."))
         if not made:
-            raise ValueError(f"{file}: there is nothing to draw, since no plane meets the model")
+            raise Error(f"{file}: there is nothing to draw, since no plane meets the model")
         shutil.copyfile(made, file)
 
 
@@ -292,7 +293,7 @@ def of_bytes(data: bytes, name: str, ending: str) -> Model:
             stream.write(data)
     except OSError as error:
         raise OSError(f"{name}: {file} cannot be written: {error.strerror}") from None
-    return Model(file, name, "", folder)
+    return Model(file, name, folder)
 
 
 def nothing() -> Model:

@@ -26,10 +26,17 @@ def of(command: Sequence[str], report: Told, made: Callable[[str], str]) -> Told
         return {"splines": [{} for _ in curves]}
     if schema.startswith("blossom.mesh/"):
         return _mesh(made("obj"))
-    if schema.startswith(("blossom.conversion/", "blossom.subdivision/")):
+    if schema.startswith(("blossom.conversion/", "blossom.subdivision/")) and "--whole" not in command:
         with open(made("json"), encoding="utf-8") as stream:
             return {"nets": json.load(stream)["nets"]}
     return {}
+
+
+def _array(told: Any, kind: Any = float) -> Any:
+    """Not to be written to, as what the compiled part gives."""
+    made = np.array(told, kind)
+    made.setflags(write=False)
+    return made
 
 
 _ARRAYS = ("points", "point", "uv_a", "uv_b", "boundary")
@@ -39,7 +46,7 @@ def _record(told: Told, names: Iterable[str]) -> Told:
     record = {name: told[name] for name in names if name in told}
     for name in _ARRAYS:
         if name in record:
-            record[name] = np.array(record[name], float)
+            record[name] = _array(record[name])
     for name in ("on_a", "on_b"):
         on = record.get(name)
         if isinstance(on, dict):
@@ -78,7 +85,7 @@ def _intersection(report: Told) -> Told:
         ],
         "places": [
             {
-                "box": tuple(np.array(corner, float) for corner in each["box"]),
+                "box": tuple(_array(corner) for corner in each["box"]),
                 "gap": tuple(each["gap"]),
                 **_record(each, ("kind", *_FACES)),
             }
@@ -89,8 +96,8 @@ def _intersection(report: Told) -> Told:
         ],
         "edge_stretches": [
             {
-                "start": np.array(each["from"], float),
-                "end": np.array(each["to"], float),
+                "start": _array(each["from"]),
+                "end": _array(each["to"]),
                 "parameters": tuple(each["parameters"]),
                 **_record(each, ("length", *_ON)),
             }
@@ -115,9 +122,9 @@ def _mesh(file: str) -> Told:
                 triangles.append([int(corner.split("/")[0]) - 1 for corner in rest.split()])
                 faces.append(int(groups[-1][0].rsplit("Face", 1)[1]))
     return {
-        "vertices": np.array(vertices, float).reshape(-1, 3),
-        "triangles": np.array(triangles, np.int32).reshape(-1, 3),
-        "faces": np.array(faces, np.int32),
+        "vertices": _array(vertices).reshape(-1, 3),
+        "triangles": _array(triangles, np.int32).reshape(-1, 3),
+        "faces": _array(faces, np.int32),
         "groups": groups,
     }
 

@@ -146,6 +146,7 @@ def claims_elsewhere(folder):
     claim("by pickle too", pickle.loads(pickle.dumps(made)).model.face_count == 7)
     found = block.intersect(drill)
     claim("curves are arrays", [curve.points.shape for curve in found] == [(43, 3), (43, 3)])
+    claim("not to be written to", not found.curves[0].points.flags.writeable)
     claim("with parameters", found.curves[0].uv_b.shape == (43, 2) and repr(found.curves[0]))
     claim("and chains", [len(wire) for wire in found.wires] == [1, 1])
     refused(blossom.Error, "Curve.poles is not in the program's report", lambda: found.curves[0].poles)
@@ -163,10 +164,28 @@ def claims_elsewhere(folder):
     claim("and inputs", blossom.intersect(support.FLOOR, support.WALL).curves[0].length == 2)
 
 
+def a_file_may_change(folder):
+    """What was read stays, and what a copy lacks is warned of."""
+    text = (folder / "block.step").read_text()
+    at = text.index("ENDSEC;", text.index("DATA;"))
+    approved = "#9001=APPROVAL_STATUS('yes');\n#9002=APPROVAL(#9001,'');\n"
+    file = folder / "approved.step"
+    file.write_text(text[:at] + approved + text[at:])
+    model = blossom.read(file)
+    file.unlink()
+    claim("a part counts its own", model.face(1).counts["faces"] == 1)
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        model.write(folder / "copy.step")
+    claim(f"it is warned: {heard}", ["without 1 approval" in str(each.message) for each in heard] == [True])
+
+
 def refusals(block, folder):
     """What cannot be had is said."""
     refused(ValueError, "no such file", lambda: blossom.read("none.step"))
-    refused(ValueError, "shape", lambda: blossom.shape(b"junk"))
+    refused(ValueError, "shape: is no BREP file", lambda: blossom.shape(b"junk"))
+    refused(ValueError, "shape", lambda: blossom.shape(block.to_brep()[:-900]))
+    refused(ValueError, "not finite", lambda: blossom.intersect(support.FLOOR * float("nan"), block))
     refused(ValueError, "no face 99", lambda: block.face(99))
     refused(ValueError, "Shaft", lambda: block.part("Shaft"))
     refused(ValueError, "edge 99", lambda: block.fillet([99], radius=1))
@@ -189,6 +208,7 @@ if __name__ == "__main__":
         folder = Path(os.environ["BLOSSOM_TEST_FOLDER"])
         claim("an import says nothing", not said)
         claims_elsewhere(folder)
+        a_file_may_change(folder)
         with open(sys.argv[1], "w", encoding="utf-8") as stream:
             json.dump(answers(folder), stream)
         refusals(blossom.read("block.step"), folder)
