@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import shutil
 from typing import Any, Callable, Dict, List, NoReturn, Optional, Sequence
 
@@ -12,6 +13,7 @@ from ._process import Control, Error, Folder, told
 Words = List[str]
 Change = Callable[[Dict[str, Any]], None]
 _USUAL_TOLERANCE = 1e-7
+_BREP_TEXT = re.compile(rb"\s*(DBRep_DrawableShape|CASCADE Topology V)")  # not binary
 _NOTHING = b"""
 CASCADE Topology V3, (c) Open Cascade
 Locations 0
@@ -128,21 +130,26 @@ class Model:
         return None  # the program leaves out by itself what is of no use
 
     def brep(self) -> bytes:
-        if self.words or not self.path.endswith(".brep"):
-            folder = Folder()
-            made = folder.file("model.brep")
-            asked(["convert"], [self], None, shape=made)
-        else:
-            made = self.path
-        with open(made, "rb") as stream:
-            return stream.read()
+        if not self.words and not self.file:
+            data = _bytes_of(self.path)
+            if _BREP_TEXT.match(data):
+                return data
+        folder = Folder()
+        made = folder.file("model.brep")
+        asked(["convert"], [self], None, ["--sew-gap=0"], made)
+        return _bytes_of(made)
 
     def swig(self) -> None:
         return None
 
     def write(self, path: str, control: Control) -> List[str]:
-        asked(["convert"], [self], control, shape=path)
+        asked(["convert"], [self], control, shape=os.path.abspath(path))
         return []
+
+
+def _bytes_of(path: str) -> bytes:
+    with open(path, "rb") as stream:
+        return stream.read()
 
 
 class Triangles:

@@ -158,8 +158,11 @@ def claims_elsewhere(folder):
     mesh = drill.mesh(0.05)
     claim("triangles are arrays", len(mesh.triangles) == len(mesh.faces) and set(mesh.groups) == {1, 2, 3})
     mesh.write(folder / "elsewhere.stl")
-    blossom.write(made, folder / "elsewhere.step")
+    os.chdir(folder)
+    blossom.write(made, "elsewhere.step")
     claim("files have all", blossom.read(folder / "elsewhere.step").face_count == 7)
+    loose = blossom.shape(block.part("1-5").to_brep())
+    claim("loose faces stay loose", blossom.shape(loose.to_brep()).counts["solids"] == 0)
     claim("nets are arrays", block.face(1).subdivide()[0].points.shape == (2, 2, 3))
     claim("and inputs", blossom.intersect(support.FLOOR, support.WALL).curves[0].length == 2)
 
