@@ -59,7 +59,7 @@ for prefix in /usr /usr/local /opt/somewhere; do
   claim "and says what it is" grep -q '<name>Blossom</name>' "$addon/package.xml"
   claim "the workbench is in it" test -s "$addon/freecad/blossom/init_gui.py"
   claim "with its icons" test -s "$addon/freecad/blossom/resources/icons/Blossom.svg"
-  claim "and what it was built with" grep -q 'OCCT = "7' "$addon/freecad/blossom/built_with.py"
+  claim "and what it was built with" grep -q 'OCCT = "7' "$addon/blossom/_built_with.py"
 done
 
 # Headers: what users include and all that these include, but no other.

@@ -18,6 +18,9 @@ Shapes are
                                curve (n + 1, 3 or 4); B-splines by `surface` and `curve`
     models and results         of this package
 
+Where another Open CASCADE than Blossom's is loaded before the package, the program `blossom` works on
+files in a process of its own, with the same answers; `why_elsewhere()` says so.
+
 Every question takes these options:
     tolerance    what counts as one point, model units; 1e-7
     time_limit   seconds before giving up with the status "stopped"; 0 is no limit
@@ -38,10 +41,15 @@ ValueErrors, failures of Open CASCADE `blossom.Error`. Ctrl-C ends all work.
 import os
 from typing import Any, Dict, Literal, Optional, Union, overload
 
+from . import _engine
+
+_engine.choose()  # what _core is, before anything asks for it
+
 from . import _checks, _core
 from ._bodies import Chamfer, EdgeBlend, Fill, Fillet, Solid, Strip, Trim, Watertight
 from ._clashes import Clash, ClashPair
 from ._core import Cancel, Cancelled, Error, __version__
+from ._engine import why_elsewhere
 from ._forms import Conversion, Net, Spline, Subdivision, Whole
 from ._intersections import (
     Chain,
@@ -162,6 +170,7 @@ __all__ = [
     "surface",
     "trim",
     "watertight",
+    "why_elsewhere",
     "write",
 ]
 

@@ -100,7 +100,7 @@ class Intersection(Result):
     """All intersections of two models; a list of curves."""
 
     def _parts(self, name: str, record: Any) -> List[Any]:
-        return self._once(name, lambda: [record(**each) for each in self._made()[name]])
+        return self._once(name, lambda: [record.of_members(each) for each in self._made()[name]])
 
     @property
     def status(self) -> str:

@@ -4,12 +4,24 @@
 import copy
 import os
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Optional, Tuple, Union
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    Callable,
+    Dict,
+    Iterator,
+    List,
+    Optional,
+    Tuple,
+    Type,
+    TypeVar,
+    Union,
+)
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _checks, _core, _shapes
+from . import _checks, _core, _engine, _shapes
 
 if TYPE_CHECKING:
     from ._model import Model
@@ -152,7 +164,7 @@ class Result(MadeShape):
             return self._answer.report(wanted)
         told = copy.deepcopy(self._told())
         if not wanted:
-            _drop_samples(told)
+            drop_samples(told)
         return told
 
     @property
@@ -239,7 +251,7 @@ def _add_reasons(told: Any, found: Dict[str, None]) -> None:
             _add_reasons(each, found)
 
 
-def _drop_samples(told: Any) -> None:
+def drop_samples(told: Any) -> None:
     """As the compiled part does it."""
     if isinstance(told, dict):
         for curve in told.get("curves", []):
@@ -247,18 +259,39 @@ def _drop_samples(told: Any) -> None:
                 curve.pop(name, None)
     for each in told.values() if isinstance(told, dict) else told:
         if isinstance(each, (dict, list)):
-            _drop_samples(each)
+            drop_samples(each)
 
 
 def counted(count: int, noun: str) -> str:
     return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
+_Record = TypeVar("_Record", bound="Record")
+
+
 class Record:
     """A part of an answer; its fields are compared by identity, since some are arrays."""
 
+    @classmethod
+    def of_members(cls: Type[_Record], members: Dict[str, Any]) -> _Record:
+        """With those fields that are known: reports of the program lack some."""
+        made = cls.__new__(cls)
+        vars(made).update(members)
+        return made
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            kind = type(self).__name__
+            if name in (field.name for field in fields(self)):
+                raise _core.Error(
+                    f"{kind}.{name} is not in the program's report, and {_engine.why_elsewhere()}"
+                )
+            raise AttributeError(f"'{kind}' object has no attribute '{name}'")
+
     def __repr__(self) -> str:
-        told = [f"{field.name}={_shown(getattr(self, field.name))}" for field in fields(self)]
+        known = vars(self)
+        told = [f"{each.name}={_shown(known[each.name])}" for each in fields(self) if each.name in known]
         return f"{type(self).__name__}({', '.join(told)})"
 
 

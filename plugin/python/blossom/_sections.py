@@ -48,7 +48,7 @@ def _curves(told: Report, splines: Sequence[Dict[str, Any]]) -> List[SectionCurv
     for curve, spline in zip(told["curves"], splines):
         members: Dict[str, Any] = {**curve, **spline}
         members["points"] = np.array(curve["points"], float)
-        curves.append(SectionCurve(**members))
+        curves.append(SectionCurve.of_members(members))
     return curves
 
 

@@ -14,7 +14,7 @@ from typing import Any, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from . import _checks, _core
+from . import _checks, _core, _engine
 
 _WANTED = (
     "a file's name, BRep text or bytes, a shape of FreeCAD's Part, an object that exports BRep, "
@@ -55,7 +55,7 @@ def _core_model(shape: Any, name: str) -> _core.Model:
     raise TypeError(f"{name}: {_WANTED}, got {_checks.kind(shape)}{held}")
 
 
-def _warn(text: str) -> None:
+def warn(text: str) -> None:
     """Names the line that called the package, by whichever of its functions."""
     level, frame = 1, sys._getframe()
     while frame.f_back and frame.f_globals["__name__"].partition(".")[0] == __package__:
@@ -93,7 +93,7 @@ def _told_core(path: str, name: str, strict: bool, control: _core.Control) -> _c
             for each in reading["losses"]
             if each["of_shape"]
         ]
-        _warn(f"{path}: shapes are missing or not as they are there: " + "; ".join(lost))
+        warn(f"{path}: shapes are missing or not as they are there: " + "; ".join(lost))
     return model
 
 
@@ -119,7 +119,7 @@ def searched(model: _core.Model, control: _core.Control) -> _core.Model:
         return model
     for what, numbers in usable.left_out.items():
         faces = ", ".join(map(str, numbers))
-        _warn(
+        warn(
             f"{model.name}: face{'s' * (len(numbers) > 1)} {faces} "
             f"ha{'ve' if len(numbers) > 1 else 's'} {what} and "
             f"{'are' if len(numbers) > 1 else 'is'} left out"
@@ -135,7 +135,7 @@ def write(
     called   the file in what is warned of
     """
     for note in model.write(file, control):
-        _warn(f"{called or file}: {note}")
+        warn(f"{called or file}: {note}")
 
 
 Packed = Tuple[str, bytes]
@@ -265,22 +265,13 @@ def _has_bridge(part: Any) -> bool:
     """
     if not _core.has_swig_bridge or not hasattr(part, "__toPythonOCC__"):
         return False
-    if getattr(part, "OCC_VERSION", None) != _core.occt_version or len(_loaded_kernels()) != 1:
+    if getattr(part, "OCC_VERSION", None) != _core.occt_version or len(_engine.loaded_kernels()) != 1:
         return False
     try:
         importlib.import_module("blossom.swig_shapes")
     except ImportError:
         return False
     return True
-
-
-def _loaded_kernels() -> List[str]:
-    """The copies of Open CASCADE in this process."""
-    try:
-        with open("/proc/self/maps", encoding="utf-8") as maps:
-            return sorted({line.split()[-1] for line in maps if "libTKernel" in line})
-    except OSError:
-        return []
 
 
 def _exported_brep(shape: Any, name: str) -> Optional[bytes]:

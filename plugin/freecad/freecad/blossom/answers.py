@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What both doors to the engine give, and how they make it."""
+"""What the door to the engine gives, and what it is made with."""
 
 import collections
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Questions to the engine in this process."""
+"""Questions to the package `blossom`, wherever its engine works."""
 
 import os
 import tempfile
@@ -10,7 +10,7 @@ import Mesh
 from .answers import Answer, niceness, with_segments
 
 
-class ModuleDoor:
+class PackageDoor:
     """Questions that `cancel` ends with `blossom.Cancelled`. What is held may be asked about in any
     thread."""
 

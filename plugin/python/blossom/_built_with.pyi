@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+VERSION: str
+OCCT: str
+KERNEL: str
