@@ -252,7 +252,8 @@ std::vector<WriteNote> write_model(const Model& given, const std::filesystem::pa
   if (const std::size_t missing = missing_curves(given.shape()).size();
       format != Format::Glb && keeps_names(file) && missing > 0)
     throw Failure(file.string() + ": the model has " + std::to_string(missing) +
-                  " edges without a curve in the parameters of their face, which only BREP has");
+                  (missing == 1 ? " edge" : " edges") +
+                  " without a curve in the parameters of the face, which only BREP has");
   std::vector<WriteNote> notes;
   const std::optional<Model> changed =
       format == Format::Step ? halved(given, notes) : std::optional<Model>();
