@@ -90,9 +90,10 @@ SideFoot side_foot(const PlanarCurve& a, const PlanarCurve& b, double parameter)
 }
 
 // Where the curves change sides along a contact: parameters of the first curve. A side is what
-// exceeds the margin at a sample.
+// exceeds the margin at a sample. A contact may be longer than the second curve: beyond its end
+// they change sides where their tangents cross, which is no common point.
 std::vector<double> side_changes(const PlanarCurve& a, const PlanarCurve& b,
-                                 const Interval& contact, double margin) {
+                                 const Interval& contact, double margin, double tolerance) {
   constexpr int kSamples = 32;
   constexpr double kPlace = 1e-9;  // of the contact
   const auto left = [&](double parameter) { return side_foot(a, b, parameter).left; };
@@ -106,7 +107,8 @@ std::vector<double> side_changes(const PlanarCurve& a, const PlanarCurve& b,
       if (left_before > 0) std::swap(change.below, change.above);
       const SignChange found = narrowed(left, change, std::min(left_before, left_here),
                                         std::max(left_before, left_here), kPlace * length(contact));
-      changes.push_back(0.5 * (found.below + found.above));
+      const double middle = 0.5 * (found.below + found.above);
+      if (nearest(b, point_at(a, middle)).distance <= tolerance) changes.push_back(middle);
     }
     before = here;
     left_before = left_here;
@@ -124,7 +126,7 @@ std::vector<CurvePoint> points_of(const PlanarCurve& a, const PlanarCurve& b,
     if (place.kind != PlaceKind::Touch && place.kind != PlaceKind::Tangential) continue;
     if (!(chord_length(a, place.a) > longest)) continue;
     const std::vector<double> changes =
-        side_changes(a, b, place.a, found.certificate.rounding_bound);
+        side_changes(a, b, place.a, found.certificate.rounding_bound, tolerance);
     if (changes.empty()) continue;
     std::erase_if(points, [&](const CurvePoint& point) {
       return !point.proven && place.a.from <= point.a && point.a <= place.a.to;

@@ -327,5 +327,23 @@ TEST(PlanarCrossings, TinySpansAtTheEndAreNoRunAlongTheOtherCurve) {
   }
 }
 
+// Halves of a circle of a torus in its chart, of which rounding makes lines at an angle of 1e-14:
+// these cross far from where the first one begins.
+TEST(PlanarCrossings, OfLinesThatGoOnFromEachOtherAreTheirCommonEndAlone) {
+  const PlanarCurve on = planar_line({1608.4954386379732, 3452.5224933169029},
+                                     {3216.9908772759482, 3452.5224933169138}, {0, 1});
+  const PlanarCurve before = planar_line({4.5474735088646412e-13, 3452.5224933169097},
+                                         {1608.4954386379718, 3452.5224933169097}, {0, 1});
+  for (const bool swapped : {false, true}) {
+    const auto found =
+        swapped ? crossings(before, on, 1e-7).points : crossings(on, before, 1e-7).points;
+    ASSERT_FALSE(found.empty());
+    for (const PlanarCrossing& crossing : found) {
+      EXPECT_EQ(crossing.a, swapped ? 1 : 0);
+      EXPECT_EQ(crossing.b, swapped ? 0 : 1);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace blossom
