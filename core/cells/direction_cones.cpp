@@ -85,22 +85,12 @@ std::optional<Sector> sector_in(const Plane& plane, const VectorBounds& b) {
   return sector;
 }
 
-// The coordinate axis farthest from a direction.
-Vec3 perpendicular_axis(const Vec3& direction) {
-  int least = 0;
-  for (int k = 1; k < 3; ++k)
-    if (std::abs(direction[k]) < std::abs(direction[least])) least = k;
-  Vec3 axis{};
-  axis[least] = 1;
-  return axis;
-}
-
 bool admits_jump(const Sector& sector) {
   return sector.high - sector.low < std::numbers::pi / 2 && sector.shown > kShown;
 }
 
 bool is_injective_along(const Vec3& normal, const DirectionCones& cones, bool may_jump) {
-  const Vec3 e1 = unit(cross(normal, perpendicular_axis(normal)));
+  const Vec3 e1 = any_across(normal);
   const Plane plane{e1, cross(normal, e1)};
   const auto u = sector_in(plane, cones.u), v = sector_in(plane, cones.v);
   if (!u || !v) return false;
@@ -304,7 +294,7 @@ Axes axes_of(const BezierSurface& surface) {
       }
   }
   const Vec3 third = main_direction(square);
-  const Vec3 first = unit(cross(third, perpendicular_axis(third)));
+  const Vec3 first = any_across(third);
   return {first, cross(third, first), third};
 }
 

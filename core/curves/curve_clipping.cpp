@@ -24,10 +24,6 @@ Vec3 turned(const Vec3& v) { return {-v[1], v[0], 0}; }
 
 Vec3 middle_of(const CurveCell& cell) { return (cell.low + cell.high) * 0.5; }
 
-Vec3 any_across(const Vec3& axis) {
-  return unit(cross(axis, std::abs(axis[0]) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-}
-
 // A direction perpendicular to both chords, in space; if those are nearly parallel, the one from
 // one cell to the other.
 Vec3 common_normal(const CurvePair& pair) {

@@ -115,4 +115,15 @@ Vec<double, Dim> unit(const Vec<double, Dim>& a) {
   return length > 0 ? a * (1 / length) : a;
 }
 
+/// A unit vector perpendicular to one that is not 0: its product with the coordinate axis farthest
+/// from it, so that its direction is known to rounding.
+inline Vec3 any_across(const Vec3& direction) {
+  int least = 0;
+  for (int k = 1; k < 3; ++k)
+    if (std::abs(direction[k]) < std::abs(direction[least])) least = k;
+  Vec3 axis;
+  axis[least] = 1;
+  return unit(cross(direction, axis));
+}
+
 }  // namespace blossom

@@ -17,15 +17,6 @@ namespace {
 // A contact this many times longer than sqrt(tolerance * size) is no touch of curved surfaces.
 constexpr double kTouchLength = 10;
 
-Vec3 any_across(const Vec3& d) {
-  int least = 0;
-  for (int k = 1; k < 3; ++k)
-    if (std::abs(d[k]) < std::abs(d[least])) least = k;
-  Vec3 axis;
-  axis[least] = 1;
-  return unit(cross(d, axis));
-}
-
 }  // namespace
 
 void LineSearch::search(std::vector<RayHit>& hits) {

@@ -39,7 +39,8 @@ Vec2 ChartProjector::nearest(const Vec3& point, const std::optional<Vec2>& near)
   // A point that the surface has within tolerance needs no search over all of it.
   const auto beside = near ? sharpened(point, bounded(*near), kMaxNewtonSteps) : Sharpened{};
   if (near && beside.gap <= tolerance_) return beside.uv;
-  return sharpened(point, surface_.search(point), kNewtonSteps).uv;
+  const int steps = surface_.rough ? kMaxNewtonSteps : kNewtonSteps;
+  return sharpened(point, surface_.search(point), steps).uv;
 }
 
 // By whole periods, and from one side of a seam to the other.
@@ -63,7 +64,7 @@ ChartProjector::Sharpened ChartProjector::sharpened(const Vec3& point, Vec2 uv, 
   SurfaceJet at = surface_.jet(uv);
   double gap = distance(at.point, point);
   for (int i = 0; i < steps; ++i) {
-    const Vec2 next = bounded(uv + chart_step(at, point - at.point));
+    const Vec2 next = bounded(uv + within_half_turns(chart_step(at, point - at.point)));
     const SurfaceJet there = surface_.jet(next);
     const double next_gap = distance(there.point, point);
     if (!(next_gap <= gap)) break;
@@ -101,6 +102,14 @@ const SurfacePole* ChartProjector::pole_at(const Vec3& point) const {
 double ChartProjector::height(const Vec3& point) const {
   const SurfaceJet at = surface_.jet(foot(point, {}));
   return std::copysign(distance(point, at.point), dot(point - at.point, cross(at.du, at.dv)));
+}
+
+// Beside a pole a short step in space may be one of many turns.
+Vec2 ChartProjector::within_half_turns(Vec2 step) const {
+  for (int k = 0; k < 2; ++k)
+    if (surface_.period[k] > 0)
+      step[k] = std::clamp(step[k], -0.5 * surface_.period[k], 0.5 * surface_.period[k]);
+  return step;
 }
 
 Vec2 ChartProjector::bounded(Vec2 uv) const {

@@ -32,6 +32,7 @@ struct ProjectedSurface {
   /// point's distance is of the radius of curvature.
   std::function<Vec2(const Vec3& point)> search;
   bool exact = false;  ///< `search` is a formula, as for a plane: nothing is sharpened then
+  bool rough = false;  ///< `search` looks at some points: Newton's method goes on as long as it helps
   Vec2 low, high;      ///< bounds of the parameters; may be without end
   Vec2 period;         ///< 0 for none
   Vec2 closed;         ///< where bounds meet without a period: the distance between them; else 0
@@ -80,6 +81,7 @@ class ChartProjector {
   Vec2 nearest(const Vec3& point, const std::optional<Vec2>& near) const;
   Sharpened sharpened(const Vec3& point, Vec2 uv, int steps) const;
   Vec2 in_turn_of(const Vec2& near, Vec2 uv) const;
+  Vec2 within_half_turns(Vec2 step) const;
   Vec2 bounded(Vec2 uv) const;
 
   ProjectedSurface surface_;

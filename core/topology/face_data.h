@@ -19,6 +19,7 @@ struct FaceData {
   FaceTrims trims;
   Box box;                                 ///< of the surface, its error and the tolerance included
   std::optional<Elementary> elementary{};  ///< what the surface is part of, if it is that
+  double off_elementary = 0;               ///< bound on its distance from that; model units
   std::optional<SweptProfile> swept{};     ///< likewise; elementary ones are none
 };
 

@@ -397,7 +397,7 @@ std::optional<IntersectionCurve> FormImages::curve_on(const Interval& part) cons
     if (straight || !is_off || (off > 0.5 * before && off <= slack_)) break;
     knots = std::move(finer);
   }
-  if (!(off <= 2 * slack_)) return {};
+  if (!(off <= kImageOff * slack_)) return {};
   curve.length = std::visit([&](const auto& form) { return arc_length(form, part); }, form_);
   if (conic == nullptr) take_for_length(curve);
   return curve;

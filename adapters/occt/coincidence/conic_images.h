@@ -19,6 +19,10 @@ namespace blossom::occt {
 
 inline constexpr double kTurn = 2 * std::numbers::pi;  ///< of an angle, radians
 
+/// Of the slack: so far may the image of a form be off, by samples of it. A choice: what is wider
+/// than the tolerance is told by its deviation.
+inline constexpr double kImageOff = 2;
+
 /// A curve in space by a closed form.
 using ClosedForm = std::variant<Conic, PipeCrossing>;
 

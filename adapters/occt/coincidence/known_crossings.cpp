@@ -13,6 +13,7 @@
 
 #include "adapters/occt/base/limits.h"
 #include "adapters/occt/coincidence/conic_images.h"
+#include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/tessellation/elementary_charts.h"
 #include "core/base/not_zero.h"
 #include "core/results/contact_places.h"
@@ -21,6 +22,10 @@
 
 namespace blossom::occt {
 namespace {
+
+// Of a spline's range: so far it is looked at beyond its bounds, so that what ends on them is found
+// to go on. Curves go on beyond boxes by `kBeyondBox`, less than this.
+constexpr double kBeyondSpline = 0.05;
 
 // The parameters of a line at which it is in a ball that holds the box; empty if it misses it.
 Interval inside(const Box& box, const Conic& line) {
@@ -105,6 +110,7 @@ class KnownCrossings {
   bool add(const MeetingCurve& known) {
     const Interval range = range_of(known.conic, common_);
     if (!(range.from < range.to)) return true;
+    if (!lies_on_sheets(known, range)) return false;
     auto parts =
         curves_on_sheets(known.conic, range, known.nodes, sheets_, std::max(known.gap, tolerance_));
     if (!parts) return false;
@@ -159,6 +165,21 @@ class KnownCrossings {
   }
 
  private:
+  // False where a spline ends before the curve does: that saves the work of its images.
+  bool lies_on_sheets(const MeetingCurve& known, const Interval& range) const {
+    constexpr int kPlaces = 32;
+    for (const ChartSheet* sheet : sheets_) {
+      if (elementary_of(sheet->feet.surface())) continue;
+      std::optional<Vec2> near;
+      for (int i = 0; i <= kPlaces; ++i) {
+        const Vec3 point = point_at(known.conic, at(range, i / double{kPlaces}));
+        near = sheet->feet.foot(point, near);
+        if (sheet->feet.gap(point, *near) > std::max(known.gap, tolerance_)) return false;
+      }
+    }
+    return true;
+  }
+
   // Nothing if it is proven to be outside of the trims.
   std::optional<std::pair<SurfacePoint, Place>> place_at(const Vec3& point, PlaceKind kind,
                                                          double gap, double reach = 0) const {
@@ -230,7 +251,8 @@ std::optional<SurfaceIntersection> known_crossings(const TopoDS_Face& face_a, co
   const Ball ball{0.5 * (common.low + common.high), 0.5 * diagonal(common)};
   const auto known = elementary_meeting(*a.elementary, *b.elementary, ball, {within, tolerance});
   if (!known) return {};
-  const SurfaceProjector feet_a(face_a, tolerance), feet_b(face_b, tolerance);
+  const SurfaceProjector feet_a = SurfaceProjector::going_on(face_a, tolerance, kBeyondSpline),
+                         feet_b = SurfaceProjector::going_on(face_b, tolerance, kBeyondSpline);
   const ChartSheet sheet_a = sheet_of(feet_a, a.surface), sheet_b = sheet_of(feet_b, b.surface);
   const std::array sheets{&sheet_a, &sheet_b};
   const std::array trims{&a.trims, &b.trims};

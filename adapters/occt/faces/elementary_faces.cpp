@@ -9,7 +9,6 @@
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomAdaptor_SurfaceOfLinearExtrusion.hxx>
 #include <GeomAdaptor_SurfaceOfRevolution.hxx>
-#include <Geom_BSplineSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
@@ -29,7 +28,6 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kMinSine = 1e-4;      // of the angles of a parallelogram
 constexpr double kRounding = 0x1p-48;  // of the coordinates
 // Sine of the angle between planes whose line has no direction: normals are known to 1e-16.
 constexpr double kParallel = 1e-13;
@@ -144,25 +142,6 @@ std::optional<Elementary> elementary_of(const Handle(Geom_Surface) & surface) {
     return elementary_of(static_cast<const Adaptor3d_Surface&>(adaptor));
   }
   return elementary_of(static_cast<const Adaptor3d_Surface&>(GeomAdaptor_Surface(basis)));
-}
-
-std::optional<Elementary> flat_spline(const Handle(Geom_Surface) & surface) {
-  const auto spline = Handle(Geom_BSplineSurface)::DownCast(basis_of(surface));
-  if (spline.IsNull() || spline->UDegree() != 1 || spline->VDegree() != 1 ||
-      spline->NbUPoles() != 2 || spline->NbVPoles() != 2 || spline->IsURational() ||
-      spline->IsVRational())
-    return {};
-  const Vec3 corner = vec(spline->Pole(1, 1).XYZ()), far = vec(spline->Pole(2, 2).XYZ());
-  const Vec3 u = vec(spline->Pole(2, 1).XYZ()) - corner, v = vec(spline->Pole(1, 2).XYZ()) - corner;
-  const double size = std::max({max_norm(corner), max_norm(far), norm(u), norm(v)});
-  const Vec3 normal = cross(u, v);
-  if (!(norm(normal) > kMinSine * norm(u) * norm(v)) ||
-      max_norm(far - (corner + u + v)) > kRounding * size)
-    return {};
-  Elementary plane;
-  plane.centre = corner;
-  plane.axis = unit(normal);
-  return plane;
 }
 
 std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface) & a,

@@ -18,9 +18,6 @@ namespace blossom::occt {
 /// and surfaces of revolution and of extrusion that it knows as such. Nothing for others.
 std::optional<Elementary> elementary_of(const Handle(Geom_Surface) & surface);
 
-/// The plane of a parallelogram that is written as a B-spline of degree 1; nothing for others.
-std::optional<Elementary> flat_spline(const Handle(Geom_Surface) & surface);
-
 /// Radians: planes that cross at less keep within tolerance of each other beside their line for
 /// longer than 1e4 tolerances, as what touches does.
 inline constexpr double kSlowAngle = 1e-4;

@@ -14,7 +14,9 @@
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/faces/swept_faces.h"
+#include "core/base/tolerances.h"
 #include "core/base/unbounded.h"
+#include "core/forms/meetings/recognition.h"
 
 namespace blossom::occt {
 namespace {
@@ -87,6 +89,15 @@ Handle(Geom_Curve) space_curve(const IntersectionCurve& curve) {
   });
 }
 
+// A spline may be a cylinder that a file has in that form.
+void recognise(FaceData& data, double tolerance) {
+  const double coordinate = std::max(max_norm(data.box.low), max_norm(data.box.high));
+  const auto known = recognised(data.surface, one_within({tolerance}, coordinate));
+  if (!known) return;
+  data.elementary = known->elementary;
+  data.off_elementary = known->gap;
+}
+
 }  // namespace
 
 FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent, ArcCuts cuts) {
@@ -96,7 +107,7 @@ FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent, Arc
   data.surface = surface_of(face, used, extent, tolerance, cuts, data.trims);
   data.box = box_of(data.surface, data.surface.error + tolerance);
   data.elementary = elementary_of(BRep_Tool::Surface(face));
-  if (!data.elementary) data.elementary = flat_spline(BRep_Tool::Surface(face));
+  if (!data.elementary) recognise(data, tolerance);
   if (!data.elementary)
     data.swept = swept_of(BRep_Tool::Surface(face), used, kApproximated * tolerance);
   return data;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/faces/surface_projector.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
@@ -21,6 +25,9 @@
 
 namespace blossom::occt {
 namespace {
+
+constexpr int kPlaces = 24;  // in each direction: 15 degrees of a circle, from where Newton's
+                             // method comes to a point of an elementary surface
 
 // The point that a border of a surface is; none if it has a length, lies at infinity, or has no
 // points at all, as some offsets.
@@ -88,6 +95,33 @@ std::function<Vec2(const Vec3&)> search_of(const Handle(Geom_Surface) & surface,
   };
 }
 
+bool is_spline(const Handle(Geom_Surface) & surface) {
+  return surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface)) ||
+         surface->IsKind(STANDARD_TYPE(Geom_BezierSurface));
+}
+
+// The parameters of the nearest one of points all over a surface.
+std::function<Vec2(const Vec3&)> nearest_of_points(const Handle(Geom_Surface) & surface,
+                                                   const Vec2& low, const Vec2& high) {
+  std::vector<std::pair<Vec3, Vec2>> points;
+  for (int i = 0; i < kPlaces; ++i)
+    for (int j = 0; j < kPlaces; ++j) {
+      const Vec2 uv{at({low[0], high[0]}, (i + 0.5) / kPlaces),
+                    at({low[1], high[1]}, (j + 0.5) / kPlaces)};
+      points.emplace_back(vec(surface->Value(uv[0], uv[1])), uv);
+    }
+  return [points = std::move(points)](const Vec3& point) {
+    return std::ranges::min_element(points, {},
+                                    [&](const auto& place) { return distance(place.first, point); })
+        ->second;
+  };
+}
+
+bool is_pole(const std::vector<SurfacePole>& poles, int fixed, double value) {
+  return std::ranges::any_of(
+      poles, [&](const SurfacePole& pole) { return pole.fixed == fixed && pole.value == value; });
+}
+
 ProjectedSurface projected(const Handle(Geom_Surface) & surface, double tolerance) {
   ProjectedSurface made;
   made.jet = [surface](const Vec2& uv) { return frame_at(surface, uv); };
@@ -145,11 +179,29 @@ std::vector<SurfacePole> poles_of(const Handle(Geom_Surface) & surface) {
 }
 
 SurfaceProjector::SurfaceProjector(const TopoDS_Face& face, double tolerance, PolledLimit* limit)
-    : SurfaceProjector(whole_surface(face), tolerance, limit) {}
+    : SurfaceProjector(whole_surface(face), projected(whole_surface(face), tolerance), tolerance,
+                       limit) {}
 
-SurfaceProjector::SurfaceProjector(Handle(Geom_Surface) surface, double tolerance,
-                                   PolledLimit* limit)
-    : ChartProjector(projected(surface, tolerance), tolerance, limit),
-      surface_(std::move(surface)) {}
+SurfaceProjector::SurfaceProjector(Handle(Geom_Surface) surface, ProjectedSurface projected,
+                                   double tolerance, PolledLimit* limit)
+    : ChartProjector(std::move(projected), tolerance, limit), surface_(std::move(surface)) {}
+
+SurfaceProjector SurfaceProjector::going_on(const TopoDS_Face& face, double tolerance,
+                                            double beyond) {
+  const Handle(Geom_Surface) surface = whole_surface(face);
+  ProjectedSurface made = projected(surface, tolerance);
+  if (is_spline(surface)) {
+    const Vec2 low = made.low, high = made.high;
+    for (int d = 0; d < 2; ++d) {
+      if (made.period[d] + made.closed[d] > 0) continue;
+      const double step = beyond * (high[d] - low[d]);
+      if (!is_pole(made.poles, d, low[d])) made.low[d] -= step;
+      if (!is_pole(made.poles, d, high[d])) made.high[d] += step;
+    }
+    made.search = nearest_of_points(surface, made.low, made.high);
+    made.rough = true;
+  }
+  return {surface, std::move(made), tolerance, nullptr};
+}
 
 }  // namespace blossom::occt

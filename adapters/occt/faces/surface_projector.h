@@ -31,10 +31,17 @@ class SurfaceProjector : public ChartProjector {
   /// tolerance, limit   as ChartProjector has them
   SurfaceProjector(const TopoDS_Face& face, double tolerance, PolledLimit* limit = nullptr);
 
+  /// Of a spline that goes on beyond its bounds as its last pieces do, by a part of its range in
+  /// each direction in which it does not close; not beyond a pole. Its feet are found from the
+  /// nearest of some points: for points that are on the surface, or that it does not matter for
+  /// where they are. All other surfaces are as they are.
+  static SurfaceProjector going_on(const TopoDS_Face& face, double tolerance, double beyond);
+
   const Handle(Geom_Surface) & surface() const { return surface_; }
 
  private:
-  SurfaceProjector(Handle(Geom_Surface) surface, double tolerance, PolledLimit* limit);
+  SurfaceProjector(Handle(Geom_Surface) surface, ProjectedSurface projected, double tolerance,
+                   PolledLimit* limit);
 
   Handle(Geom_Surface) surface_;
 };

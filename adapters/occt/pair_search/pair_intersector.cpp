@@ -11,6 +11,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/limits.h"
 #include "adapters/occt/base/step_failure.h"
+#include "adapters/occt/coincidence/conic_images.h"
 #include "adapters/occt/coincidence/known_crossings.h"
 #include "adapters/occt/coincidence/one_spline.h"
 #include "adapters/occt/coincidence/one_surface.h"
@@ -137,9 +138,9 @@ void PairIntersector::search(FaceIntersection& result) const {
   } else {
     if (edges.empty()) touching = touched_.of(result.face_a, result.face_b, kSmoothAngle);
     const std::vector<SharedEdge>& known = edges.empty() ? touching : edges;
-    touches = find_known(i, j, known, within, result.found)
-                  ? clip_known(i, j, result.found)
-                  : find_between(i, j, known, result.found);
+    auto touches_of_known = find_known(i, j, known, within, result.found);
+    touches =
+        touches_of_known ? *std::move(touches_of_known) : find_between(i, j, known, result.found);
     drop_along_edges(result.found, touches, known, options_.tolerances.point);
     weaken_along_trims(a.trims, b.trims, within, result.found);
     add_touching(a, b, touching, options_.tolerances.point, result.found, touches);
@@ -220,7 +221,8 @@ std::optional<double> PairIntersector::gap_of_one_surface(std::size_t i, std::si
   if (&a == &b) return {};
   const Box common = common_box(a, b);
   const Ball ball{0.5 * (common.low + common.high), 0.5 * diagonal(common)};
-  if (a.elementary && b.elementary) return distance_bound(*a.elementary, *b.elementary, ball);
+  if (a.elementary && b.elementary)
+    return distance_bound(*a.elementary, *b.elementary, ball) + a.off_elementary + b.off_elementary;
   if (a.swept && b.swept) return gap_of_one_sweep(*a.swept, *b.swept, ball, options_.tolerances);
   return gap_of_one_spline(faces_a_.face(i), faces_b_.face(j), limit_.remaining());
 }
@@ -245,16 +247,25 @@ SurfaceIntersection PairIntersector::on_surface_of_both(const std::pair<int, int
   return found;
 }
 
-// Quadrics in special positions cross in conics, or touch.
-bool PairIntersector::find_known(std::size_t i, std::size_t j, const std::vector<SharedEdge>& edges,
-                                 double within, SurfaceIntersection& found) const {
+// Quadrics in special positions cross in conics, or touch. Their images were only sampled before
+// they were clipped; where one turns out to be off, a search tells what there is.
+std::optional<std::vector<Touch>> PairIntersector::find_known(std::size_t i, std::size_t j,
+                                                              const std::vector<SharedEdge>& edges,
+                                                              double within,
+                                                              SurfaceIntersection& found) const {
   const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
-  if (&a == &b || !edges.empty()) return false;
+  if (&a == &b || !edges.empty()) return {};
+  const double tolerance = options_.tolerances.point;
   auto known = known_crossings(faces_a_.face(i), a, faces_b_.face(j), b, common_box(a, b), within,
-                               options_.tolerances.point);
-  if (!known) return false;
+                               tolerance);
+  if (!known) return {};
+  std::vector<Touch> touches = clip_known(i, j, *known);
+  double gap = tolerance;
+  for (const Place& place : known->places) gap = std::max(gap, place.gap_high);
+  for (const IntersectionCurve& curve : known->curves)
+    if (!(std::max(curve.deviation.a, curve.deviation.b) <= 2 * kImageOff * gap)) return {};
   found = *std::move(known);
-  return true;
+  return touches;
 }
 
 std::vector<Touch> PairIntersector::clip_known(std::size_t i, std::size_t j,

@@ -59,8 +59,9 @@ class PairIntersector {
   SurfaceIntersection on_surface_of_both(const std::pair<int, int>& pair,
                                          const std::vector<SharedEdge>& edges, double gap,
                                          double within) const;
-  bool find_known(std::size_t i, std::size_t j, const std::vector<SharedEdge>& edges, double within,
-                  SurfaceIntersection& found) const;
+  std::optional<std::vector<Touch>> find_known(std::size_t i, std::size_t j,
+                                               const std::vector<SharedEdge>& edges, double within,
+                                               SurfaceIntersection& found) const;
   bool is_settled_by_closed_forms(std::size_t i, std::size_t j,
                                   const std::vector<SharedEdge>& edges, double within,
                                   SurfaceIntersection& found) const;

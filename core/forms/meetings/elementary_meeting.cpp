@@ -17,12 +17,6 @@ constexpr double kMinSine = 1e-3;
 
 using Known = std::optional<ElementaryMeeting>;
 
-// A unit vector across another one.
-Vec3 any_across(const Vec3& axis) {
-  const Vec3 along = std::abs(axis[0]) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  return unit(across(along, axis));
-}
-
 Conic line(const Vec3& point, const Vec3& direction) {
   return {ConicKind::Line, point, direction, {}, 0, 0};
 }

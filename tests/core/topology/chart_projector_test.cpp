@@ -131,5 +131,22 @@ TEST(ChartStep, IsTheStepThatComesNearestAndNoneWithoutATangentPlane) {
   EXPECT_EQ(chart_step({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, {3, 4, 7}), Vec2{});
 }
 
+// Beside the pole of a ball, where a step in space of the size of the ball is one of thousands of
+// turns: of a surface that can be asked beyond its period only some turns away.
+TEST(ChartProjector, NeverGoesManyTurnsRoundAPole) {
+  ProjectedSurface ball;
+  ball.jet = [](const Vec2& uv) {
+    EXPECT_LT(std::abs(uv[0]), 100);
+    const double a = std::cos(uv[0]), b = std::sin(uv[0]), c = std::cos(uv[1]), s = std::sin(uv[1]);
+    return SurfaceJet{{a * c, b * c, s}, {-b * c, a * c, 0}, {-a * s, -b * s, c}};
+  };
+  ball.search = [](const Vec3&) { return Vec2{0, 0.5 * pi - 1e-6}; };
+  ball.rough = true;
+  ball.low = {0, -0.5 * pi};
+  ball.high = {2 * pi, 0.5 * pi};
+  ball.period = {2 * pi, 0};
+  ChartProjector(ball, kTolerance).foot({0, 1, 0}, {});
+}
+
 }  // namespace
 }  // namespace blossom
