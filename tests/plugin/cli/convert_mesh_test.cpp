@@ -92,7 +92,9 @@ TEST_F(ConvertMesh, WritesABinaryStlWithinTheDeviation) {
 
   EXPECT_EQ(made["schema"], "blossom.mesh/1");
   EXPECT_EQ(made["closed"], true);
-  EXPECT_EQ(made["crossings"], 0);
+  if (kHasCgal) {
+    EXPECT_EQ(made["crossings"], 0);
+  }
   EXPECT_LE(made["distance"].get<double>(), 0.0101);
   const std::string bytes = text_of(path("a.stl"));
   std::uint32_t facets = 0;
@@ -145,7 +147,7 @@ TEST_F(ConvertMesh, WritesASolidForEachFaceInStlAsText) {
   }
   EXPECT_EQ(begun, (std::vector<std::string>{"part/Face1", "part/Face2", "part/Face3"}));
   EXPECT_EQ(ended, begun);
-  const Finished ran = blossom({"check", path("rod.stl"), "--json", "-"});
+  const Finished ran = blossom({"info", path("rod.stl"), "--json", "-"});
   const nlohmann::json read = nlohmann::json::parse(ran.out);
   EXPECT_EQ(read["triangles"], made["triangles"]);
   EXPECT_EQ(read["points"], made["points"]);
@@ -155,7 +157,7 @@ TEST_F(ConvertMesh, WritesASolidForEachFaceInStlAsText) {
 TEST_F(ConvertMesh, ReadsAnObjAsItWasWritten) {
   write(BRepPrimAPI_MakeSphere(5), "ball.brep");
   const nlohmann::json made = report("ball.brep", "ball.obj");
-  const Finished ran = blossom({"check", path("ball.obj"), "--json", "-"});
+  const Finished ran = blossom({"info", path("ball.obj"), "--json", "-"});
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(nlohmann::json::parse(ran.out)["triangles"], made["triangles"]);
   EXPECT_EQ(nlohmann::json::parse(ran.out)["closed"], true);
@@ -186,6 +188,7 @@ TEST_F(ConvertMesh, NamesOpenEdgesOfSingleFaces) {
 }
 
 TEST_F(ConvertMesh, SaysWhichFacesCross) {
+  if (!kHasCgal) GTEST_SKIP() << kNoCgal;
   TopoDS_Compound both;
   const BRep_Builder builder;
   builder.MakeCompound(both);
@@ -213,6 +216,7 @@ TEST_F(ConvertMesh, SaysWhichFacesCross) {
 
 // A hollow ball, whose wall is thinner than the deviation: facets of it cross.
 TEST_F(ConvertMesh, MeshesFacesFinerWhoseTrianglesWouldCross) {
+  if (!kHasCgal) GTEST_SKIP() << kNoCgal;
   TopoDS_Solid hollow;
   const BRep_Builder builder;
   builder.MakeSolid(hollow);

@@ -51,6 +51,7 @@ class MeshInputs : public ::testing::Test {
 };
 
 TEST_F(MeshInputs, AreCheckedForSidesAndVolume) {
+  if (!kHasCgal) GTEST_SKIP() << kNoCgal;
   write_text(path("a.off"), kTetrahedron);
   const nlohmann::json found = report({"check", path("a.off")});
   EXPECT_EQ(found["schema"], "blossom.mesh-check/1");
@@ -100,6 +101,7 @@ TEST_F(MeshInputs, AreLinesOfATableBesideModels) {
 }
 
 TEST_F(MeshInputs, AreShownWithTheirOpenSides) {
+  if (!kHasCgal) GTEST_SKIP() << kNoCgal;
   write_text(path("a.off"), kOpen);
   const Finished ran = blossom({"check", path("a.off"), "--html", path("a.html"), "--picture",
                                 path("a.png"), "--glb", path("a.glb"), "--size", "200x150"});
@@ -114,6 +116,7 @@ TEST_F(MeshInputs, AreShownWithTheirOpenSides) {
 }
 
 TEST_F(MeshInputs, AreShownWithTheTrianglesThatCross) {
+  if (!kHasCgal) GTEST_SKIP() << kNoCgal;
   write_text(path("a.off"),
              "OFF\n6 2 0\n0 0 0\n2 0 0\n0 2 0\n0.5 0.5 -1\n0.5 0.5 1\n3 3 0\n"
              "3 0 1 2\n3 3 4 5\n");
@@ -122,6 +125,7 @@ TEST_F(MeshInputs, AreShownWithTheTrianglesThatCross) {
 }
 
 TEST_F(MeshInputs, AreShownWithTheirIntersectionsSectionsAndFillings) {
+  if (!kHasCgal) GTEST_SKIP() << kNoCgal;
   write_text(path("a.off"), kTetrahedron);
   write_text(path("b.off"), "OFF\n3 1 0\n-1 -1 1\n3 -1 1\n-1 3 1\n3 0 1 2\n");
   write_text(path("c.off"), kOpen);
@@ -137,6 +141,7 @@ TEST_F(MeshInputs, AreShownWithTheirIntersectionsSectionsAndFillings) {
 }
 
 TEST_F(MeshInputs, SayHowManySidesAreOpen) {
+  if (!kHasCgal) GTEST_SKIP() << kNoCgal;
   write_text(path("a.off"), kOpen);
   EXPECT_EQ(report({"check", path("a.off")})["open_sides"], 3);
   EXPECT_EQ(blossom({"check", path("a.off"), "--fail-on", "findings"}).code, 5);
@@ -221,6 +226,7 @@ TEST_F(MeshInputs, OfAnotherPartAreFarFromIt) {
 }
 
 TEST_F(MeshInputs, DeepChecksOfModelsCountCrossings) {
+  if (!kHasCgal) GTEST_SKIP() << kNoCgal;
   write(BRepPrimAPI_MakeCylinder(10, 20), "rod.brep");
   const nlohmann::json found = report({"check", path("rod.brep"), "--deep"})["triangles"];
   EXPECT_EQ(found["closed"], true);
@@ -230,6 +236,7 @@ TEST_F(MeshInputs, DeepChecksOfModelsCountCrossings) {
 
 // However many triangles of parts that touch cross: here more than a report lists.
 TEST_F(MeshInputs, DeepChecksOfPartsThatTouchFindNoFault) {
+  if (!kHasCgal) GTEST_SKIP() << kNoCgal;
   const gp_Ax2 along(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
   const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(along, 5, 20).Shape();
   const gp_Ax2 turned(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1), gp_Dir(2, 1, 0));

@@ -32,6 +32,7 @@ std::string cube_off(double at) {
 class MeshMeetings : public ::testing::Test {
  protected:
   void SetUp() override {
+    if (!kHasCgal) GTEST_SKIP() << kNoCgal;
     write_text(path("a.off"), cube_off(0));
     write_text(path("b.off"), cube_off(0.75));
     write_text(path("c.off"), cube_off(2));

@@ -57,6 +57,14 @@ TopoDS_Face half_pipe();
 /// The square [0, 2]^2 at z = 0 as a B-spline surface of 2 x 2 spans; x = u, y = v.
 TopoDS_Face four_spans();
 
+/// Of what is asked of triangles; tests of that are skipped where the program is built without it.
+#ifdef BLOSSOM_WITH_CGAL
+inline constexpr bool kHasCgal = true;
+#else
+inline constexpr bool kHasCgal = false;
+#endif
+inline constexpr const char* kNoCgal = "the program is built without CGAL";
+
 /// Writes faces as parts of a model, named "part 1", "part 2", ...
 void write(const std::vector<TopoDS_Face>& faces, const std::filesystem::path& file);
 
