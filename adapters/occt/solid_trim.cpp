@@ -2,7 +2,6 @@
 #include "adapters/occt/solid_trim.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <iterator>
 #include <span>
@@ -37,9 +36,6 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kCornerMargin = 1.1;  // of the gap between edges that are one
-// Seconds beyond what a refused work took, for the question whether its inputs meet themselves. A
-// choice: most models are asked in less.
-constexpr double kAsking = 1;
 
 // All of a step but its solids and faces.
 void add_facts(const SolidTrimResult& step, SolidTrimResult& result) {
@@ -321,17 +317,10 @@ void report_loose_faces(const TrimTool& part, const std::vector<TrimTool>& tools
     }
 }
 
-// Where inputs meet themselves. What is not known of them then is no further obstacle.
+// What is not known of inputs then is no further obstacle.
 void find_own_contacts(const TrimTool& part, const std::vector<TrimTool>& tools,
                        const IntersectionOptions& options, SolidTrimResult& result) try {
-  const SharedLimit limit(options);
-  const auto ask = [&](const TrimTool& input, int number) {
-    if (limit.is_reached()) return;
-    std::vector<Finding> found = own_contacts(input, number, limit.remaining());
-    std::ranges::move(found, std::back_inserter(result.findings));
-  };
-  ask(part, -1);
-  for (std::size_t i = 0; i < tools.size(); ++i) ask(tools[i], static_cast<int>(i));
+  result.findings = own_contacts(part, tools, options);
 } catch (const BadModel&) {
 }
 
@@ -399,17 +388,12 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   KeptTolerances kept(part.faces);
   for (const TrimTool& tool : tools) kept.remember(tool.faces);
   const SharedLimit limit(options);
-  const auto begun = std::chrono::steady_clock::now();
   SolidTrimResult result;
   with_threads(options.threads, [&] {
     const auto combine = takes_sheets(part, tools, operation) ? trimmed_sheets : trimmed;
     result = combine(part, tools, operation, kCornerMargin * corner_gap(part, tools), options);
     if (result.obstacles.empty() || limit.is_reached()) return;
-    IntersectionOptions left = limit.remaining();
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    const double most = took.count() + kAsking;
-    left.time_limit = left.time_limit > 0 ? std::min(left.time_limit, most) : most;
-    find_own_contacts(part, tools, left, result);
+    find_own_contacts(part, tools, limit.remaining(), result);
   });
   const TopTools_MapOfShape given = faces_given_of(part, tools);
   for (SolidFace& of : result.faces) of.as_given = given.Contains(of.face);

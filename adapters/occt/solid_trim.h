@@ -175,7 +175,7 @@ std::string misplaced_sheet(const TrimTool& part, const std::vector<TrimTool>& t
 /// Tolerances of edges and vertices that are not true are not used: see with_true_tolerances.
 ///
 /// Where there is an obstacle, and no limit was reached, inputs are asked whether they meet
-/// themselves (solids/validity/own_contacts.h), for as long as the work took and a second.
+/// themselves (solids/validity/own_contacts.h), within a limit on work and not on time.
 ///
 /// options       its time limit is that of the whole work; when it is reached, volumes and solids
 ///               too are left with the obstacle and the status Stopped
