@@ -2,7 +2,7 @@
 // Fillets of sharp edges of models, beside BRepFilletAPI_MakeFillet.
 //
 //   bench_fillets [--edges N] [--seed N] [--edge N]... [--part X]... [--limit SECONDS] [--no-peer]
-//                 FILE...
+//                 [--no-largest] FILE...
 //
 // Of each file up to N sharp edges (angle between the normals above 10 degrees) with one (ff1) or
 // two (ff2) free-form faces are drawn, or those that `--edge` names are taken; each is rounded by
@@ -81,6 +81,7 @@ struct Settings {
   unsigned seed = 1;
   double limit = 20;
   bool peer = true;
+  bool largest = true;
   std::vector<int> chosen;    // numbers of edges; none: they are drawn
   std::vector<double> parts;  // of an edge's size
   std::vector<std::string> files;
@@ -230,7 +231,7 @@ void set_angle(Outcome& outcome, const ContactAngle& angle) {
   outcome.smooth = angle.value >= 0 && angle.smooth;
 }
 
-Outcome ours(const TopoDS_Shape& shape, const Job& job) {
+Outcome ours(const TopoDS_Shape& shape, const Job& job, bool search_largest) {
   Outcome outcome;
   const double start = thread_seconds();
   try {
@@ -244,9 +245,11 @@ Outcome ours(const TopoDS_Shape& shape, const Job& job) {
     outcome.seconds = thread_seconds() - start;
     if (!made.refused.empty()) {
       outcome.verdict = Verdict::Refused;
-      made = rounded(true);
-      outcome.seconds_of_largest = thread_seconds() - start - 2 * outcome.seconds;
-      outcome.has_largest = made.refused.front().largest.has_value();
+      if (search_largest) {
+        made = rounded(true);
+        outcome.seconds_of_largest = thread_seconds() - start - 2 * outcome.seconds;
+        outcome.has_largest = made.refused.front().largest.has_value();
+      }
       const occt::FilletRefusal& why = made.refused.front();
       std::strncpy(outcome.fault, to_string(why.fault), sizeof outcome.fault - 1);
       std::strncpy(outcome.reason, why.text().c_str(), sizeof outcome.reason - 1);
@@ -372,7 +375,7 @@ void run(const std::string& file, const Settings& settings, Table& own, Table& p
   const occt::Model model = testing::repaired_model(file);
   for (const Job& job : drawn(model.shape(), settings)) {
     Outcome a, b;
-    apart<Outcome>(settings.limit, a, [&] { return ours(model.shape(), job); });
+    apart<Outcome>(settings.limit, a, [&] { return ours(model.shape(), job, settings.largest); });
     own.add(a);
     if (settings.peer) {
       apart<Outcome>(settings.limit, b, [&] { return theirs(model.shape(), job); });
@@ -403,6 +406,8 @@ Settings settings_of(int argc, char** argv) {
       settings.parts.push_back(std::stod(argv[++i]));
     else if (word == "--no-peer")
       settings.peer = false;
+    else if (word == "--no-largest")
+      settings.largest = false;
     else
       settings.files.push_back(word);
   }
