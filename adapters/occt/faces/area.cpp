@@ -122,6 +122,15 @@ double cone_volume_beside(const TopoDS_Face& face, const Vec3& apex) {
   return face.Orientation() == TopAbs_REVERSED ? -volume : volume;
 }
 
+double cone_volume_beside(const TopoDS_Face& face, const TopoDS_Edge& edge, const Interval& part,
+                          const Vec3& apex) {
+  double volume = 0;
+  over_border_strip(edge, face, part, [&](const Vec3& point, const Vec3& normal) {
+    volume += dot(point - apex, normal) / 3;
+  });
+  return face.Orientation() == TopAbs_REVERSED ? -volume : volume;
+}
+
 ConeMoments cone_moments(const TopoDS_Face& face, const Vec3& apex) {
   const FaceTrims trims = face_trims(face);
   ConeMoments moments = trimmed_cone_moments(integrand_surface(face, trims), trims, apex);

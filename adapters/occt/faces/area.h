@@ -5,8 +5,10 @@
 
 #include <span>
 
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "core/math/interval.h"
 #include "core/math/vec.h"
 #include "core/topology/surface_integrals.h"
 
@@ -38,6 +40,12 @@ double cone_volume(const TopoDS_Face& face, const Vec3& apex, double enough = 0)
 /// face add up to it.
 /// throws     as area
 double cone_volume_beside(const TopoDS_Face& face, const Vec3& apex);
+
+/// The same along a part of one edge alone.
+///
+/// edge   as the forward face uses it
+double cone_volume_beside(const TopoDS_Face& face, const TopoDS_Edge& edge, const Interval& part,
+                          const Vec3& apex);
 
 /// The moments of the cone from a point over a face, with the sign of its volume and with the
 /// strips of `cone_volume_beside`.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <BRep_Tool.hxx>
@@ -43,9 +44,12 @@ constexpr Interval kEverywhere{-kInfinity, kInfinity};
 // An edge of the forward face: its curve and its image on the surface, at the same parameters.
 class Strip {
  public:
-  Strip(const TopoDS_Edge& edge, const TopoDS_Face& face, const GeomAdaptor_Surface& surface)
+  /// part   of the edge; none: all of it
+  Strip(const TopoDS_Edge& edge, const TopoDS_Face& face, const GeomAdaptor_Surface& surface,
+        const std::optional<Interval>& part = std::nullopt)
       : surface_(surface), reversed_(edge.Orientation() == TopAbs_REVERSED) {
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range_.from, range_.to);
+    if (part) range_ = *part;
     Interval of_image;
     const Handle(Geom2d_Curve) image =
         BRep_Tool::CurveOnSurface(edge, face, of_image.from, of_image.to);
@@ -135,6 +139,13 @@ void over_border_strips(const TopoDS_Face& face,
     if (BRep_Tool::Tolerance(edge) > Precision::Confusion())
       Strip(edge, forward, surface).integrate(add);
   }
+}
+
+void over_border_strip(const TopoDS_Edge& edge, const TopoDS_Face& face, const Interval& part,
+                       const std::function<void(const Vec3& point, const Vec3& normal)>& add) {
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  const GeomAdaptor_Surface surface(BRep_Tool::Surface(forward));
+  Strip(edge, forward, surface, part).integrate(add);
 }
 
 }  // namespace blossom::occt

@@ -5,8 +5,10 @@
 
 #include <functional>
 
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "core/math/interval.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {
@@ -23,5 +25,11 @@ namespace blossom::occt {
 /// throws     BadModel if an edge has no pcurve
 void over_border_strips(const TopoDS_Face& face,
                         const std::function<void(const Vec3& point, const Vec3& normal)>& add);
+
+/// The same along a part of one edge, of any tolerance.
+///
+/// edge   as the forward face uses it
+void over_border_strip(const TopoDS_Edge& edge, const TopoDS_Face& face, const Interval& part,
+                       const std::function<void(const Vec3& point, const Vec3& normal)>& add);
 
 }  // namespace blossom::occt

@@ -67,15 +67,9 @@ void Filleting::find_parts(const TopoDS_Shape& shape) {
   }
 }
 
-// The volume over a face; kept where it is as exact as can be.
-double Filleting::cone_over(const TopoDS_Face& face, double enough) {
-  const bool is_exact = enough <= 0 || cones_.knows(face);
-  return is_exact ? cones_.of(face) : cone_volume(face, cones_.apex(), enough);
-}
-
 double Filleting::volume_of(const SolidPart& part) {
   double volume = 0;
-  for (const int face : part.faces) volume += cone_over(face_given(face));
+  for (const int face : part.faces) volume += cones_.of(face_given(face));
   return volume;
 }
 
@@ -120,17 +114,47 @@ bool Filleting::is_kept(const TrimmedFace& face) const {
   return face.from > 0 && face.face.IsSame(body_.face(face.from));
 }
 
-// How much more the solid has, by the faces that changed.
-double Filleting::change(const SolidPart& part, const std::vector<TrimmedFace>& faces,
-                         double enough) {
+// What is between the faces at an edge of the body and the parts of it that are lost.
+double Filleting::volume_beside(int edge, const std::vector<TopoDS_Edge>& left,
+                                const Vec3& apex) const {
+  const TopoDS_Edge whole = body_.edge(edge);
+  if (BRep_Tool::Degenerated(whole) || BRep_Tool::Tolerance(whole) <= Precision::Confusion())
+    return 0;
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(whole, range.from, range.to);
+  std::vector<Interval> lost{range};
+  for (const TopoDS_Edge& each : left) {
+    Interval kept;
+    if (BRep_Tool::Curve(each, kept.from, kept.to) != curve) continue;
+    const Interval last = lost.back();
+    lost.back().to = kept.from;
+    lost.push_back({kept.to, last.to});
+  }
+  double volume = 0;
+  for (const Interval& part : lost)
+    for (const bool forward : {true, false}) {
+      const EdgeUseInFace& use = body_.use(edge, forward);
+      const TopAbs_Orientation as = use.coedge->reversed ? TopAbs_REVERSED : TopAbs_FORWARD;
+      if (length(part) > 0)
+        volume +=
+            cone_volume_beside(body_.face(use.face), TopoDS::Edge(whole.Oriented(as)), part, apex);
+    }
+  return volume;
+}
+
+// How much more the solid has, by the faces that changed and the edges that are lost: what the gaps
+// between their faces enclose may be more than a small ball takes off.
+double Filleting::change(const SolidPart& part, const TrimmedBody& trimmed, const Vec3& apex,
+                         double enough) const {
   double change = 0;
   std::set<int> lost = part.faces;
-  for (const TrimmedFace& each : faces)
+  for (const TrimmedFace& each : trimmed.faces)
     if (is_kept(each))
       lost.erase(each.from);
     else if (each.from == 0 || part.faces.count(each.from) > 0)
-      change += cone_over(each.face, enough);
-  for (const int face : lost) change -= cone_over(face_given(face), enough);
+      change += cone_volume(each.face, apex, enough);
+  for (const int face : lost) change -= cone_volume(face_given(face), apex, enough);
+  for (const auto& [edge, left] : trimmed.edges) change -= volume_beside(edge, left, apex);
   return change;
 }
 
@@ -141,23 +165,27 @@ double Filleting::square_of_radius(int edge) const {
   return radius * radius;
 }
 
-// The same, only as exact as its sign needs where no volumes are wanted.
-double Filleting::sure_change(const SolidPart& part, const std::vector<TrimmedFace>& faces,
-                              const FilletEdges& edges) {
-  if (!options_.volumes && !options_.chamfer) {
-    double size = 0;
-    for (const auto& [edge, concave] : edges) {
-      double angle = 0;
-      edge_kind(body_, edge, angle);
-      size += square_of_radius(edge) * corner_area(angle) * edge_length(body_.edge(edge));
-    }
-    for (const double share : kShares) {
-      const double enough = share * size;
-      const double change = this->change(part, faces, enough);
-      if (std::abs(change) > kSure * enough) return change;
-    }
+// The same, only as exact as its sign needs; over a point of a filleted edge, which the more exact
+// it is the less of it there is.
+double Filleting::sure_change(const SolidPart& part, const TrimmedBody& trimmed,
+                              const FilletEdges& edges) const {
+  Interval range;
+  const Handle(Geom_Curve) curve =
+      BRep_Tool::Curve(body_.edge(edges.begin()->first), range.from, range.to);
+  const Vec3 apex = vec(curve->Value(at(range, 0.5)));
+  if (options_.chamfer) return change(part, trimmed, apex, 0);
+  double size = 0;
+  for (const auto& [edge, concave] : edges) {
+    double angle = 0;
+    edge_kind(body_, edge, angle);
+    size += square_of_radius(edge) * corner_area(angle) * edge_length(body_.edge(edge));
   }
-  return change(part, faces, 0);
+  for (const double share : kShares) {
+    const double enough = share * size;
+    const double change = this->change(part, trimmed, apex, enough);
+    if (std::abs(change) > kSure * enough) return change;
+  }
+  return change(part, trimmed, apex, 0);
 }
 
 // The one shell of a solid stays turned outwards as long as it is one: its volume need not be
@@ -170,7 +198,7 @@ FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<Trimmed
   for (const TrimmedFace& each : faces) {
     if (each.from > 0 && part.faces.count(each.from) == 0) continue;
     double volume = 1;
-    if (measured) volume = cone_over(is_kept(each) ? face_given(each.from) : each.face);
+    if (measured) volume = cones_.of(is_kept(each) ? face_given(each.from) : each.face);
     bounding.push_back({each.face, volume});
     if (options_.volumes) made.volume += volume;
     if (is_kept(each)) unflatten(each.face, face_given(each.from));
@@ -227,8 +255,9 @@ Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   TrimmedBody trimmed = trimmed_by_sheet(body_, sheet, tolerance);
   notes_.insert(notes_.end(), sheet.notes().begin(), sheet.notes().end());
   is_tolerant_ = is_tolerant_ || sheet.is_tolerant();
+  const double change = sure_change(part, trimmed, edges);
   Grouped grouped{closed(part, trimmed.faces, edges), std::move(trimmed.edges)};
-  check_blended(body_, part.solid, grouped.made, edges, sure_change(part, trimmed.faces, edges));
+  check_blended(body_, part.solid, grouped.made, edges, change);
   check_apart(grouped.made, options_.intersection, tick);
   return grouped;
 }

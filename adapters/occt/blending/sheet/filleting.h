@@ -97,12 +97,13 @@ class Filleting {
   void renew_body();
   bool is_inside_out(const SolidPart& part);
   SolidPart& part_of(int edge);
-  double cone_over(const TopoDS_Face& face, double enough = 0);
   double volume_of(const SolidPart& part);
   bool is_kept(const TrimmedFace& face) const;
-  double change(const SolidPart& part, const std::vector<TrimmedFace>& faces, double enough);
-  double sure_change(const SolidPart& part, const std::vector<TrimmedFace>& faces,
-                     const FilletEdges& edges);
+  double volume_beside(int edge, const std::vector<TopoDS_Edge>& left, const Vec3& apex) const;
+  double change(const SolidPart& part, const TrimmedBody& trimmed, const Vec3& apex,
+                double enough) const;
+  double sure_change(const SolidPart& part, const TrimmedBody& trimmed,
+                     const FilletEdges& edges) const;
   FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                        const FilletEdges& edges);
   std::vector<BallWalk> walks(const FilletEdges& edges) const;
