@@ -297,8 +297,8 @@ TEST(FilletOfRealFaces, EndsInAPlaneThoughItsBallRollsOnToWhereItHasNoRoom) {
                  largest_edge_tolerance(model.shape()));
 }
 
-// The strips of both sides of the wing run into each other behind its sharp rear edge, for which the
-// lower side grows past the border of its surface.
+// The strips of both sides of the wing run into each other behind its sharp rear edge, for which
+// the lower side grows past the border of its surface.
 TEST(FilletOfRealFaces, MeetBehindTheRearEdgeOfAWing) {
   const std::filesystem::path plane = given_model("d150_fused.brep");
   if (!std::filesystem::exists(plane)) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";

@@ -157,6 +157,7 @@ class BlendSheet {
   int cross_grown(const Ring& ring, const Interval& part, int face, StripPlace& from,
                   TopoDS_Vertex& start);
   void join(const Joint& joint);
+  void join_to_face(const EndPlace& place, std::size_t side, const ContactCrossing& over);
   TopoDS_Vertex joint_vertex(const PlacedStrip& of, std::size_t side, double t,
                              const std::optional<ContactCrossing>& over);
   /// A contact at a mitre, and its face's use of the edge between the strips, if there is one.

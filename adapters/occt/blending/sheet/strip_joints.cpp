@@ -16,6 +16,7 @@
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
+#include <TopoDS.hxx>
 #include <gp.hxx>
 
 #include "adapters/occt/base/points.h"
@@ -147,6 +148,90 @@ void BlendSheet::join(const Joint& joint) {
       end.over[side] = begin.over[side_after] = over->use->edge;
   }
   join_section(joint.before, joint.after);
+  for (const std::size_t walking : {0U, 1U})
+    if (const auto& over = joint.walked.over[walking]) {
+      join_to_face(joint.before, joint.before.end == 1 ? walking : 1 - walking, *over);
+      join_to_face(joint.after, joint.after.end == 0 ? walking : 1 - walking, *over);
+    }
+}
+
+namespace {
+
+// The chart, in that of a strip, of an edge that runs beside its contact.
+//
+// part   of the contact, from what is beside the edge's start to what is beside its end
+Handle(Geom2d_Curve) chart_beside(const TopoDS_Edge& edge, const RolledStrip& strip,
+                                  const RolledContact& contact, const Interval& part) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  const Interval beside{std::min(part.from, part.to), std::max(part.from, part.to)};
+  const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, kFollowed + 1);
+  const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, kFollowed + 1);
+  for (int i = 0; i <= kFollowed; ++i) {
+    const double x = at(range, static_cast<double>(i) / kFollowed);
+    double t = nearest_on(contact.curve, beside, vec(curve->Value(x).XYZ()));
+    if (i == 0) t = part.from;
+    if (i == kFollowed) t = part.to;
+    const Vec2 uv = strip.chart(t, contact.w);
+    points->SetValue(i + 1, {uv[0], uv[1]});
+    places->SetValue(i + 1, x);
+  }
+  Geom2dAPI_Interpolate maker(points, places, Standard_False, gp::Resolution());
+  maker.Perform();
+  return Handle(Geom2d_Curve)(maker.Curve());
+}
+
+}  // namespace
+
+// Where two faces miss their common edge, a contact that goes over it at a small angle leaves the
+// one long before it comes to the other. In between the border of its strip is the edge, of which
+// so much is left to one of the faces.
+//
+// over   where it leaves the one face
+void BlendSheet::join_to_face(const EndPlace& place, std::size_t side,
+                              const ContactCrossing& over) {
+  PlacedStrip& of = strips_[place.strip];
+  StripEnd& end = of.ends[place.end];
+  const RolledContact& contact = of.strip.contacts[side];
+  const TopoDS_Vertex joined = end.vertices[side];
+  const double joint_t = end.t[side];
+  const double inwards = place.end == 0 ? 1 : -1;
+  const TopoDS_Edge edge = body_.edge(over.use->edge);
+  std::optional<ContactCrossing> late;
+  for (const ContactCrossing& each :
+       chart_crossings(body_, of.strip, side, body_.use_in(over.use->edge, contact.face)))
+    if (inwards * (each.t - joint_t) > 0 && each.leaves != (inwards > 0) &&
+        (!late || inwards * (late->t - each.t) > 0))
+      late = each;
+  if (!late) return;
+  const Vec3 comes = vec(contact.curve->Value(late->t));
+  if (distance(comes, point_of(joined)) <= BRep_Tool::Tolerance(joined)) return;
+  // What stays of the edge begins at the one or the other place.
+  const bool stays_behind = over.keep_after == (late->edge_parameter > over.edge_parameter);
+  if (stays_behind)
+    std::erase_if(border_.cuts, [&](const EdgeCut& cut) {
+      return cut.edge == over.use->edge && splits_.vertex(edge, cut.split).IsSame(joined);
+    });
+  const int split = splits_.add(edge, late->edge_parameter, body_.face(contact.face));
+  if (stays_behind) border_.cuts.push_back({over.use->edge, split, over.keep_after});
+  end.t[side] = late->t;
+  const TopoDS_Vertex met = end.vertices[side] = splits_.vertex(edge, split);
+  if (met.IsSame(joined)) return;
+  const bool rises = late->edge_parameter > over.edge_parameter;
+  const TopoDS_Edge piece =
+      rises ? piece_of(edge, {over.edge_parameter, late->edge_parameter}, joined, met)
+            : piece_of(edge, {late->edge_parameter, over.edge_parameter}, met, joined);
+  const Interval part = rises ? Interval{joint_t, late->t} : Interval{late->t, joint_t};
+  add_chart(piece, chart_beside(piece, of.strip, contact, part), of.strip.bare_face());
+  const int left_to = stays_behind ? body_.behind(*late->use).face : contact.face;
+  const bool forward = body_.use_in(over.use->edge, left_to).forward;
+  added_[left_to].push_back(
+      TopoDS::Edge(piece.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED)));
+  // From the contact on the first side to that on the second.
+  if (side == 0)
+    end.path.insert(end.path.begin(), {piece, !rises});
+  else
+    end.path.push_back({piece, rises});
 }
 
 // A radius that changes evenly along a line and an arc changes at two rates along the way of the

@@ -53,11 +53,14 @@ std::vector<PlanarCrossing> apart_from_runs(const PlanarCrossings& found) {
   return points;
 }
 
+double meeting_tolerance(const EdgeUseInFace& use) {
+  return std::max(Precision::Confusion(), use.coedge->tolerance);
+}
+
 // runs   where a contact runs along the edge, added
 std::vector<PlanarCrossing> meetings(const std::vector<PlanarCurve>& contacts,
-                                     const EdgeUseInFace& use,
+                                     const EdgeUseInFace& use, double tolerance,
                                      std::vector<Interval>* runs = nullptr) {
-  const double tolerance = std::max(Precision::Confusion(), use.coedge->tolerance);
   std::vector<PlanarCrossing> all;
   for (const PlanarCurve& contact : contacts) {
     const PlanarCrossings found = crossings(contact, use.coedge->curve, tolerance);
@@ -98,7 +101,8 @@ std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledSt
                                            std::size_t side, const EdgeUseInFace& use,
                                            double near) {
   std::optional<ContactMeeting> best;
-  for (const PlanarCrossing& each : meetings(contact_copies(body, strip, side, use.face), use))
+  for (const PlanarCrossing& each :
+       meetings(contact_copies(body, strip, side, use.face), use, meeting_tolerance(use)))
     if (!best || std::abs(each.a - near) < std::abs(best->t - near))
       best = ContactMeeting{each.a, each.b};
   return best;
@@ -166,6 +170,23 @@ void keep_ways_out(const BodyEdges& body, const RolledStrip& strip, const Rolled
 
 }  // namespace
 
+namespace {
+
+ContactCrossing crossing_of(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
+                            const EdgeUseInFace& use, const PlanarCrossing& at) {
+  // The face lies to the left of the first contact of a strip and to the right of the second,
+  // seen from outside.
+  const bool reversed = body.face(use.face).Orientation() == TopAbs_REVERSED;
+  const bool to_left = crossing_rate(body, strip, side, use, at) > 0;
+  return {at.a, &use, at.b, ((side == 0) != reversed) == to_left, to_left != use.coedge->reversed};
+}
+
+void sort_by_t(std::vector<ContactCrossing>& all) {
+  std::ranges::sort(all, {}, &ContactCrossing::t);
+}
+
+}  // namespace
+
 std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
                                                std::size_t side, const std::set<int>& left_out) {
   std::vector<ContactCrossing> all;
@@ -175,19 +196,22 @@ std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const Roll
   for (const EdgeUseInFace& use : body.uses(strip.contacts[side].face)) {
     if (use.coedge->degenerated || left_out.count(use.edge) > 0) continue;
     if (use.edge == strip.bend[side]) continue;  // the contact runs along it
-    // The face lies to the left of the first contact of a strip and to the right of the second,
-    // seen from outside.
-    const bool reversed = body.face(use.face).Orientation() == TopAbs_REVERSED;
-    for (const PlanarCrossing& each : meetings(contacts, use, &runs)) {
-      const bool to_left = crossing_rate(body, strip, side, use, each) > 0;
-      all.push_back({each.a, &use, each.b, ((side == 0) != reversed) == to_left,
-                     to_left != use.coedge->reversed});
-    }
+    for (const PlanarCrossing& each : meetings(contacts, use, meeting_tolerance(use), &runs))
+      all.push_back(crossing_of(body, strip, side, use, each));
   }
-  std::sort(all.begin(), all.end(),
-            [](const ContactCrossing& a, const ContactCrossing& b) { return a.t < b.t; });
+  sort_by_t(all);
   for (const Interval& run : joined(std::move(runs), kRunEnd * length(strip.range)))
     keep_ways_out(body, strip, strip.contacts[side], run, all);
+  return all;
+}
+
+std::vector<ContactCrossing> chart_crossings(const BodyEdges& body, const RolledStrip& strip,
+                                             std::size_t side, const EdgeUseInFace& use) {
+  std::vector<ContactCrossing> all;
+  for (const PlanarCrossing& each :
+       meetings(contact_copies(body, strip, side, use.face), use, Precision::Confusion()))
+    all.push_back(crossing_of(body, strip, side, use, each));
+  sort_by_t(all);
   return all;
 }
 

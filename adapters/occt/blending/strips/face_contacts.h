@@ -53,6 +53,11 @@ struct ContactCrossing {
 std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
                                                std::size_t side, const std::set<int>& left_out);
 
+/// The crossings of a contact with one edge of its face, by t, as the face's chart has them: not
+/// within the tolerance of the edge.
+std::vector<ContactCrossing> chart_crossings(const BodyEdges& body, const RolledStrip& strip,
+                                             std::size_t side, const EdgeUseInFace& use);
+
 /// Whether a line in the chart of a face, over [0, 1], meets an edge of the face between its ends,
 /// or one lies in what the line cuts off from the face's corner, but for seams and the two edges
 /// of the corner.
