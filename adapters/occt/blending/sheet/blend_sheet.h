@@ -152,6 +152,15 @@ class BlendSheet {
     bool is_contact = false;
   };
   std::optional<Vec3> way_over(const RolledStrip& strip, int face, const StripPlace& from) const;
+  /// Where a strip goes over an edge of a face, from the inside.
+  struct WayOut {
+    EdgeThrough through;
+    const EdgeUseInFace* use = nullptr;
+    bool is_seam = false;
+    double share = 0;  ///< of the way from the strip's left contact to its right one
+  };
+  std::optional<WayOut> next_way_out(const DirectedEdge& half, const Interval& part, int face,
+                                     const StripPlace& from);
   int cross_face(const Ring& ring, const Interval& part, int face, StripPlace& from,
                  TopoDS_Vertex& start);
   int cross_grown(const Ring& ring, const Interval& part, int face, StripPlace& from,

@@ -39,6 +39,12 @@ bool has_pole_at(const BodyEdges& body, int face, const TopoDS_Vertex& vertex) {
   });
 }
 
+bool has_seam(const BodyEdges& body, int face) {
+  return std::ranges::any_of(body.uses(face), [&](const EdgeUseInFace& use) {
+    return !use.coedge->degenerated && body.behind(use).face == face;
+  });
+}
+
 }  // namespace
 
 // Where a contact goes over the border of its face first, from the middle of its strip to an end.
@@ -234,45 +240,55 @@ std::optional<Vec3> BlendSheet::way_over(const RolledStrip& strip, int face,
   return unit(inwards > 0 ? way : -way);
 }
 
-// To the edge over which the strip leaves a face; returns the face behind it.
+// The edge over which a strip leaves a face next, if there is one.
 //
 // Of the edges ahead it is the first one: from the strip's left to its right, or, where the strip
-// goes along itself or back over a face, in the way that it takes there.
-int BlendSheet::cross_face(const Ring& ring, const Interval& part, int face, StripPlace& from,
-                           TopoDS_Vertex& start) {
-  const DirectedEdge half = ring.front().half;
+// goes along itself or back over a face, in the way that it takes there. Over a seam the face goes
+// on as the other use has it.
+std::optional<BlendSheet::WayOut> BlendSheet::next_way_out(const DirectedEdge& half,
+                                                           const Interval& part, int face,
+                                                           const StripPlace& from) {
   const RolledStrip& strip = strip_of(half).strip;
   const double w_left = strip.contacts[left_side(half)].w;
   const double span = strip.contacts[right_side(half)].w - w_left;
   const auto way = from.is_contact ? std::nullopt : way_over(strip, face, from);
   const SurfaceJet frame = frame_at(strip.surface, strip.chart(from.through.t, from.through.w));
-  const Vec3 across = unit(strip.along_u ? frame.dv : frame.du);
-  const bool by_w = !way || (span > 0 ? 1 : -1) * dot(*way, across) > std::sin(kSmoothJoint);
+  const Vec3 across = (span > 0 ? 1 : -1) * unit(strip.along_u ? frame.dv : frame.du);
+  const bool by_w = !way || dot(*way, across) > std::sin(kSmoothJoint);
   const double room = by_w ? kSameW : kSamePlace * tolerance_;
   const auto ahead = [&](const EdgeThrough& each) {
     return by_w ? (each.w - from.through.w) / span : dot(each.point - from.through.point, *way);
   };
-  std::optional<EdgeThrough> best;
-  const EdgeUseInFace* over = nullptr;
+  std::optional<WayOut> best;
   for (const EdgeUseInFace& use : body_.uses(face)) {
     if (use.coedge->degenerated || use.edge == from.edge || is_filleted(use.edge)) continue;
+    const bool is_seam = body_.behind(use).face == face;
     for (const EdgeThrough& each : edge_through(strip, part, body_, use.edge)) {
-      if (ahead(each) <= room || (best && ahead(each) >= ahead(*best))) continue;
-      best = each;
-      over = &use;
+      if (ahead(each) <= room || (best && ahead(each) >= ahead(best->through))) continue;
+      if (is_seam && dot(body_.corner(use, each.edge_parameter).inwards, across) > 0) continue;
+      best = WayOut{each, &use, is_seam, (each.w - w_left) / span};
     }
   }
+  return best;
+}
+
+// To the edge over which the strip leaves a face; returns the face behind it.
+int BlendSheet::cross_face(const Ring& ring, const Interval& part, int face, StripPlace& from,
+                           TopoDS_Vertex& start) {
+  const DirectedEdge half = ring.front().half;
+  const auto best = next_way_out(half, part, face, from);
   if (!best) return cross_grown(ring, part, face, from, start);
-  const TopoDS_Edge edge = body_.edge(over->edge);
-  const int split = splits_.add(edge, best->edge_parameter, body_.face(face));
+  const EdgeUseInFace& over = *best->use;
+  const TopoDS_Edge edge = body_.edge(over.edge);
+  const int split = splits_.add(edge, best->through.edge_parameter, body_.face(face));
   // What stays of the face is to the right of the way out of it, and so is what stays of the edge:
   // all that the face's border comes along before.
-  border_.cuts.push_back({over->edge, split, !over->forward});
+  border_.cuts.push_back({over.edge, split, !over.forward});
   const TopoDS_Vertex to = splits_.vertex(edge, split);
   cap_face(half, part, face, start, to);
   start = to;
-  from = {*best, over->edge, false};
-  return body_.use(over->edge, !over->forward).face;
+  from = {best->through, over.edge, false};
+  return body_.behind(over).face;
 }
 
 // Where the faces on both sides of an edge grow up to the strip, so does the edge, past the vertex:
@@ -390,7 +406,14 @@ void BlendSheet::cap(const Ring& ring) {
   }
   const double w_left = strip_of(half).strip.contacts[left_side(half)].w;
   StripPlace place{{0, left.t, w_left, point_of(from)}, entered, true};
-  for (int count = 0; face != last; ++count) {
+  // Over a seam the strip comes to the same face again.
+  const auto goes_on = [&] {
+    if (face != last) return true;
+    if (!has_seam(body_, face)) return false;
+    const auto next = next_way_out(half, part, face, place);
+    return next && next->is_seam && next->share < 1 - kSameW;
+  };
+  for (int count = 0; goes_on(); ++count) {
     if (count == kMaxFacesInARow) refuse(half, FilletFault::End, "too many faces are at its end");
     face = cross_face(ring, part, face, place, from);
   }
