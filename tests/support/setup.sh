@@ -10,7 +10,8 @@ build_packages=(
   libtbb-dev libboost-dev libeigen3-dev zlib1g-dev
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
   libocct-visualization-dev libocct-ocaf-dev libocct-data-exchange-dev libocct-draw-dev
-  libcgal-dev lib3mf-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev pybind11-dev python3-dev swig
+  libcgal-dev lib3mf-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev libjs-three
+  pybind11-dev python3-dev swig
   libgtest-dev libbenchmark-dev
 )
 # Heavy ones, of which CMake leaves out the tests where they are missing: freecad and chromium.

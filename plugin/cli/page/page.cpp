@@ -181,11 +181,12 @@ std::string embedded(const Json& json) {
 std::string html_of(const Json& scene) {
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   html += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src " +
-          policy_hash(kViewerScriptSha256) + "; style-src " + policy_hash(kViewerStyleSha256) +
+          policy_hash(three_script().sha256) + " " + policy_hash(viewer_script().sha256) +
+          "; style-src " + policy_hash(viewer_style().sha256) +
           "; base-uri 'none'; form-action 'none'\">\n";
   html +=
       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>Blossom</title>\n<style>";
-  html += kViewerStyle;
+  html += viewer_style().text;
   html += R"(</style>
 </head>
 <body>
@@ -206,7 +207,9 @@ std::string html_of(const Json& scene) {
 <script type="application/json" id="data">)";
   html += embedded(scene);
   html += "</script>\n<script>";
-  html += kViewerScript;
+  html += three_script().text;
+  html += "</script>\n<script>";
+  html += viewer_script().text;
   html += "</script>\n</body>\n</html>\n";
   return html;
 }

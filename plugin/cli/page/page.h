@@ -14,8 +14,8 @@ namespace blossom::cli {
 /// Pages are below this, bytes; faces get coarser triangles for it where they have to.
 inline constexpr std::size_t kPageLimit = 5'000'000;
 
-/// The bytes of an HTML file. Its content security policy allows the one script and the one style
-/// sheet in it, by their hashes, and nothing to be fetched or sent.
+/// The bytes of an HTML file. Its content security policy allows the two scripts and the one
+/// style sheet in it, by their hashes, and nothing to be fetched or sent.
 /// meshes   of its scene; with coarser ones the page is made if it has to
 /// throws   UsageError if the view is none; occt::Failure if it would exceed the limit with the
 /// coarsest triangles

@@ -1,13 +1,28 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The scene of a page, decoded, and the camera that looks at it; viewer.js follows in the same script.
+// The scene of a page as objects of three.js; viewer.js follows in the same script.
 // The scene is the JSON of page.cpp in the element "data".
 "use strict";
 const data = JSON.parse(document.getElementById("data").textContent);
 const element = (id) => document.getElementById(id);
 const canvas = element("view");
-const gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
 
-// ---- the scene, decoded -----------------------------------------------------------------------
+const kLineWidth = { curve: 4, net: 1.3, hatch: 1.4 };  // CSS pixels
+const kOutlineColour = [0.22, 0.26, 0.32], kPickedColour = [1.0, 0.78, 0.0];
+const kOpaque = 0.9;   // groups from this opacity on hide what is behind them
+const kMarkSize = 15;  // CSS pixels
+const kShine = 0.3;    // opacity of lines that faces hide
+// What comes later is drawn over what comes earlier and coincides with it.
+const kOrder = { faces: 0, picked: 1, lines: 2, pickedLines: 3, translucent: 4, pickedTranslucent: 5,
+                 hidden: 6, marks: 7 };
+// How much nearer to the eye things are drawn than they are, in sizes of the scene: lines lie before
+// the faces they are on, translucent faces behind opaque ones that coincide with them.
+const kLift = { line: 3e-3, translucent: -1.5e-3 };
+
+const scene = new THREE.Scene();
+const resolution = { value: new THREE.Vector2(1, 1) };  // of all lines, CSS pixels
+const colourOf = (rgb) => new THREE.Color(...rgb);
+
+// ---- the data, decoded ------------------------------------------------------------------------
 
 const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 const floats = (text) => new Float32Array(bytes(text).buffer);
@@ -20,96 +35,138 @@ function pointsOf(face) {
   return Float32Array.from(fine, (q, i) => data.low[i % 3] + (q * data.extent[i % 3]) / 65535);
 }
 
-function decodeGroup(group) {
+function joined(Type, parts) {
+  const all = new Type(parts.reduce((sum, part) => sum + part.length, 0));
+  let at = 0;
+  for (const part of parts) { all.set(part, at); at += part.length; }
+  return all;
+}
+
+// From the points of a polyline to its segments, two points each.
+function segmentsOf(line) {
+  const segments = [];
+  for (let i = 3; i < line.length; i += 3) segments.push(...line.subarray(i - 3, i + 3));
+  return segments;
+}
+
+// ---- objects ----------------------------------------------------------------------------------
+
+function add(parent, object, order, lift) {
+  object.renderOrder = order;
+  object.userData.lift = lift;
+  parent.add(object);
+  return object;
+}
+
+function lineMaterial(colour, width, options = {}) {
+  const made = new THREE.LineMaterial({ color: colourOf(colour), linewidth: width, ...options });
+  made.uniforms.resolution = resolution;
+  return made;
+}
+
+function addLines(parent, segments, colour, width, order) {
+  const geometry = new THREE.LineSegmentsGeometry().setPositions(Float32Array.from(segments));
+  add(parent, new THREE.LineSegments2(geometry, lineMaterial(colour, width)), order, kLift.line);
+  return geometry;
+}
+
+// Likewise; where faces hide them they shine through.
+function addShiningLines(parent, segments, colour, width, order) {
+  const geometry = addLines(parent, segments, colour, width, order);
+  const material = lineMaterial(colour, width, { depthFunc: THREE.GreaterDepth, depthWrite: false,
+                                                 transparent: true });
+  material.uniforms.opacity.value = kShine;
+  add(parent, new THREE.LineSegments2(geometry, material), kOrder.hidden, kLift.line);
+}
+
+function faceMaterial(colour, opacity) {
+  const solid = opacity >= kOpaque;
+  return new THREE.MeshPhongMaterial({ color: colourOf(colour), side: THREE.DoubleSide, shininess: 40,
+                                       transparent: !solid, opacity: solid ? 1 : opacity,
+                                       depthWrite: solid });
+}
+
+// The faces of a group as one mesh, that of them which is picked as another one, and their edges.
+function groupOf(group) {
   const points = [], normals = [], corners = [], segments = [];
   let count = 0, drawn = 0;
   for (const face of group.faces) {
-    const wide = face.wide, own = pointsOf(face), triangles = indices(face.triangles, wide);
+    const own = pointsOf(face), triangles = indices(face.triangles, face.wide);
     points.push(own);
     normals.push(new Int8Array(bytes(face.normals).buffer));
     corners.push(Uint32Array.from(triangles, (i) => i + count));
-    for (const k of indices(face.border, wide)) segments.push(...own.subarray(3 * k, 3 * k + 3));
+    for (const k of indices(face.border, face.wide)) segments.push(...own.subarray(3 * k, 3 * k + 3));
     face.first = drawn;
     face.count = triangles.length;
     drawn += triangles.length;
     count += own.length / 3;
   }
-  const joined = (Type, parts) => {
-    const all = new Type(parts.reduce((sum, part) => sum + part.length, 0));
-    let at = 0;
-    for (const part of parts) { all.set(part, at); at += part.length; }
-    return all;
+  const made = { ...group, object: new THREE.Group(), outline: new THREE.Group(),
+                 points: joined(Float32Array, points), triangles: drawn / 3 };
+  const position = new THREE.BufferAttribute(made.points, 3);
+  const normal = new THREE.BufferAttribute(joined(Int8Array, normals), 3, true);
+  const index = new THREE.BufferAttribute(joined(Uint32Array, corners), 1);
+  const addMesh = (colour, opacity, order) => {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", position).setAttribute("normal", normal).setIndex(index);
+    return add(made.object, new THREE.Mesh(geometry, faceMaterial(colour, opacity)), order,
+               opacity >= kOpaque ? 0 : kLift.translucent);
   };
-  return { ...group, shown: true, points: joined(Float32Array, points),
-           normals: joined(Int8Array, normals), corners: joined(Uint32Array, corners),
-           segments: new Float32Array(segments) };
+  const solid = group.opacity >= kOpaque;
+  made.mesh = addMesh(group.colour, group.opacity, solid ? kOrder.faces : kOrder.translucent);
+  made.picked = addMesh(kPickedColour, solid ? 1 : 0.6, solid ? kOrder.picked : kOrder.pickedTranslucent);
+  made.picked.visible = false;
+  if (segments.length > 0) addLines(made.outline, segments, kOutlineColour, 1, kOrder.lines);
+  scene.add(made.object.add(made.outline));
+  return made;
 }
 
-function decodeLayer(layer) {
-  const isMark = ["dot", "ring", "square"].includes(layer.style), segments = [], owners = [];
-  layer.items.forEach((item, k) => {
-    const line = floats(item.points);
-    item.line = line;
-    if (isMark) { segments.push(...line.subarray(0, 3)); return; }
-    item.first = owners.length;
-    for (let i = 3; i < line.length; i += 3) {
-      for (let j = i - 3; j < i + 3; ++j) segments.push(line[j]);
-      owners.push(k);
-    }
-    item.count = owners.length - item.first;
-  });
-  return { ...layer, isMark, shown: true, owners, segments: new Float32Array(segments) };
+// A dot, ring or square with a white border, as large as a mark is.
+function markTexture(style, colour) {
+  const picture = document.createElement("canvas"), pen = picture.getContext("2d");
+  picture.width = picture.height = 64;
+  const path = (r) => {
+    pen.beginPath();
+    if (style === "square") pen.rect(32 - r, 32 - r, 2 * r, 2 * r);
+    else pen.arc(32, 32, r, 0, 2 * Math.PI);
+  };
+  const strokes = style === "dot" ? [["white", 16, 32], [colour.getStyle(), 12, 24]]
+                                  : [["white", 23, 18], [colour.getStyle(), 24, 9]];
+  for (const [ink, radius, width] of strokes) {
+    path(radius);
+    pen.strokeStyle = ink;
+    pen.lineWidth = width;
+    pen.stroke();
+  }
+  const texture = new THREE.CanvasTexture(picture);
+  texture.premultiplyAlpha = true;  // as blended below: coarser levels keep the colour of its edge
+  return texture;
 }
 
-const groups = data.groups.map(decodeGroup), layers = data.layers.map(decodeLayer);
-
-// ---- the camera: parallel, z upwards ----------------------------------------------------------
-
-// `whole` as long as nobody has zoomed or slid: all that there is then stays in the canvas.
-const camera = { azimuth: 0, elevation: 0, target: [0, 0, 0], zoom: 1, whole: true };
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
-function lookFrom(eye) {
-  const flat = Math.hypot(eye[0], eye[1]);
-  camera.azimuth = flat > 1e-9 ? Math.atan2(eye[1], eye[0]) : -Math.PI / 2;
-  camera.elevation = Math.atan2(eye[2], flat);
+function pointGeometry(points) {
+  return new THREE.BufferGeometry().setAttribute("position", new THREE.BufferAttribute(points, 3));
 }
 
-// Unit vectors to the right, upwards and to the eye.
-function axes() {
-  const [ca, sa] = [Math.cos(camera.azimuth), Math.sin(camera.azimuth)];
-  const [ce, se] = [Math.cos(camera.elevation), Math.sin(camera.elevation)];
-  return [[-sa, ca, 0], [-se * ca, -se * sa, ce], [ce * ca, ce * sa, se]];
+// A layer as one object; its items beside it, not drawn, for what is clicked.
+function layerOf(layer) {
+  const isMark = ["dot", "ring", "square"].includes(layer.style);
+  for (const item of layer.items) {
+    item.line = floats(item.points);
+    if (isMark) item.line = item.line.subarray(0, 3);
+    item.target = new (isMark ? THREE.Points : THREE.Line)(pointGeometry(item.line));
+  }
+  const made = { ...layer, isMark, object: new THREE.Group(),
+                 points: joined(Float32Array, layer.items.map((item) => item.line)) };
+  const segments = isMark ? [] : layer.items.flatMap((item) => segmentsOf(item.line));
+  if (segments.length > 0)
+    addShiningLines(made.object, segments, layer.colour, kLineWidth[layer.style], kOrder.lines);
+  if (isMark)
+    add(made.object, new THREE.Points(pointGeometry(made.points), new THREE.PointsMaterial({
+      size: kMarkSize, sizeAttenuation: false, map: markTexture(layer.style, colourOf(layer.colour)),
+      transparent: true, depthTest: false, depthWrite: false, blending: THREE.CustomBlending,
+      blendSrc: THREE.OneFactor, blendDst: THREE.OneMinusSrcAlphaFactor })), kOrder.marks, 0);
+  scene.add(made.object);
+  return made;
 }
 
-// CSS pixels per model unit.
-const pixelScale = () =>
-  camera.zoom * Math.min(canvas.clientWidth, canvas.clientHeight) / data.size;
-
-// Puts all that there is into the canvas, as it is turned.
-function fit() {
-  const [right, up] = axes(), low = [Infinity, Infinity], high = [-Infinity, -Infinity];
-  for (const points of [...groups.map((g) => g.points), ...layers.map((l) => l.segments)])
-    for (let i = 0; i < points.length; i += 3)
-      [right, up].forEach((axis, k) => {
-        const at = points[i] * axis[0] + points[i + 1] * axis[1] + points[i + 2] * axis[2];
-        low[k] = Math.min(low[k], at);
-        high[k] = Math.max(high[k], at);
-      });
-  if (low[0] > high[0]) return;
-  const [x, y] = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
-  camera.target = [0, 1, 2].map((k) => x * right[k] + y * up[k]);
-  camera.zoom = 1;
-  camera.whole = true;
-  const scale = pixelScale(), least = 1e-9 * data.size;
-  camera.zoom = 0.92 * Math.min(canvas.clientWidth / (scale * Math.max(high[0] - low[0], least)),
-                                canvas.clientHeight / (scale * Math.max(high[1] - low[1], least)));
-}
-
-// CSS pixels from the left, from the top, and depth (larger is nearer), of a point of the scene.
-function place(point) {
-  const [right, up, back] = axes(), scale = pixelScale();
-  const p = point.map((x, k) => x - camera.target[k]);
-  return [canvas.clientWidth / 2 + scale * dot(p, right),
-          canvas.clientHeight / 2 - scale * dot(p, up), dot(p, back)];
-}
+const groups = data.groups.map(groupOf), layers = data.layers.map(layerOf);

@@ -83,11 +83,11 @@ class Browser:
         for kind in ("mousePressed", "mouseReleased"):
             self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
-    def drag(self, x, y, to_x, to_y):
-        self.call("Input.dispatchMouseEvent", type="mousePressed", x=x, y=y, button="left",
+    def drag(self, x, y, to_x, to_y, button="left"):
+        self.call("Input.dispatchMouseEvent", type="mousePressed", x=x, y=y, button=button,
                   clickCount=1)
-        self.call("Input.dispatchMouseEvent", type="mouseMoved", x=to_x, y=to_y, button="left")
-        self.call("Input.dispatchMouseEvent", type="mouseReleased", x=to_x, y=to_y, button="left",
+        self.call("Input.dispatchMouseEvent", type="mouseMoved", x=to_x, y=to_y, button=button)
+        self.call("Input.dispatchMouseEvent", type="mouseReleased", x=to_x, y=to_y, button=button,
                   clickCount=1)
 
     def complaints(self):
@@ -189,7 +189,7 @@ class PageInBrowser(Pages):
         self.assertGreater(len(shot), 1.2 * len(self.browser.picture()))
 
     def test_click_on_a_curve_tells_its_numbers_and_parts(self):
-        x, y, _ = self.place_on_curve()
+        x, y = self.place_on_curve()
         self.browser.click(x, y)
         text = self.picked()
         for words in ("Hull x Deck", "face 1 x face 1", "length 12572", "degree", "poles",
@@ -197,7 +197,7 @@ class PageInBrowser(Pages):
             self.assertIn(words, text)
 
     def test_click_on_a_face_tells_its_part(self):
-        x, y, _ = self.place_on_curve()
+        x, y = self.place_on_curve()
         self.browser.click(x, y + 30)
         self.assertRegex(self.picked(), r"^face 1 \((Hull|Deck)\)$")
 
@@ -217,6 +217,19 @@ class PageInBrowser(Pages):
                           deltaY=-400)
         zoomed = self.place_on_curve()
         self.assertGreater(abs(zoomed[0] - turned[0]) + abs(zoomed[1] - turned[1]), 5)
+
+    def test_what_is_below_the_mouse_stays_there_when_the_wheel_zooms(self):
+        x, y = self.place_on_curve()
+        self.browser.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0,
+                          deltaY=-400)
+        for before, after in zip((x, y), self.place_on_curve()):
+            self.assertAlmostEqual(before, after, delta=1)  # the mouse is at whole pixels
+
+    def test_slides_by_the_right_button(self):
+        x, y = self.place_on_curve()
+        self.browser.drag(200, 200, 230, 240, button="right")
+        for before, after, way in zip((x, y), self.place_on_curve(), (30, 40)):
+            self.assertAlmostEqual(after - before, way, delta=0.1)
 
     def test_shows_all_in_a_window_that_gets_another_size(self):
         for width, height in ((1200, 500), (1200, 1000), (700, 1000)):

@@ -19,6 +19,7 @@
 
 #include "plugin/cli/page/base64.h"
 #include "plugin/cli/page/glb.h"
+#include "plugin/cli/page/viewer_files.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::cli {
@@ -72,10 +73,18 @@ TEST(Page, HasEverythingThatThePictureHas) {
 }
 
 TEST(Page, NeedsNoNetworkAndAllowsNone) {
-  const std::string html = page_of(bowl_picture());
+  std::string html = page_of(bowl_picture());
   EXPECT_NE(html.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
   EXPECT_EQ(html.find("unsafe-inline"), std::string::npos);
+  const std::size_t three = html.find(three_script().text);
+  ASSERT_NE(three, std::string::npos);
+  html.erase(three, three_script().text.size());  // it could fetch, if the policy allowed it
   EXPECT_FALSE(std::regex_search(html, std::regex("(src|href)=|https?:|@import|fetch\\(")));
+}
+
+TEST(Page, CarriesTheLicenceOfWhatDrawsIt) {
+  EXPECT_EQ(three_script().text.find("/* three.js"), 0u);
+  EXPECT_NE(three_script().text.find("The MIT License"), std::string::npos);
 }
 
 TEST(Page, TextOfTheSceneCannotEndItsElement) {
