@@ -24,16 +24,16 @@
 #include "core/blossom/patch_blossom.h"
 #include "core/blossom/triangle_blossom.h"
 #include "core/papers/q_curve.h"
-#include "plugin/cli/picture/drawing.h"
-#include "plugin/cli/picture/picture.h"
-#include "plugin/cli/picture/raster/canvas.h"
 #include "plugin/nets/net.h"
 #include "plugin/nets/net_shapes.h"
+#include "plugin/pictures/image/drawing.h"
+#include "plugin/pictures/image/raster/canvas.h"
+#include "plugin/pictures/scene/picture.h"
 
 namespace {
 
 using namespace blossom;
-using namespace blossom::cli;
+using namespace blossom::pictures;
 using namespace blossom::nets;
 
 constexpr int kWidth = 800, kHeight = 600;  // pixels of one picture

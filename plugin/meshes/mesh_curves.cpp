@@ -11,6 +11,7 @@
 
 #ifdef BLOSSOM_WITH_CGAL
 #include "adapters/cgal/mesh_intersection.h"
+#include "plugin/reports/text/number_text.h"
 #endif
 
 namespace blossom::meshes {
@@ -177,6 +178,21 @@ Json mesh_sections_report(const std::string& file, Status status,
     json["planes"].push_back(std::move(of));
   }
   return json;
+}
+
+std::string counted_curves(const MeshCurves& found) {
+  std::size_t closed = 0;
+  double length = 0;
+  for (const MeshPolyline& curve : found.curves) {
+    closed += curve.closed;
+    length += curve.length;
+  }
+  std::string text = reports::counted(found.curves.size(), "polyline");
+  if (closed < found.curves.size())
+    text += " (" + std::to_string(found.curves.size() - closed) + " open)";
+  if (!found.curves.empty()) text += " of length " + reports::number_text(reports::rounded(length));
+  if (!found.points.empty()) text += ", " + reports::counted(found.points.size(), "point");
+  return text;
 }
 
 }  // namespace blossom::meshes

@@ -73,4 +73,7 @@ struct PlaneOfMesh {
 reports::Json mesh_sections_report(const std::string& file, Status status,
                                    const std::vector<PlaneOfMesh>& planes, double seconds);
 
+/// "2 polylines (1 open) of length 20, 1 point".
+std::string counted_curves(const MeshCurves& found);
+
 }  // namespace blossom::meshes

@@ -24,6 +24,7 @@ OCCT_ROOMS = """base convert faces faces/pairs tessellation queries splitting/ed
     pair_search solids/tolerances solids/validity solids repair wires exact exchange exchange/step documents blending
     blending/strips blending/sheet""".split()
 REPORT_ROOMS = "text models cuts queries blends".split()
+PICTURE_ROOMS = "image/raster scene image page results".split()
 
 STANDARD = r"<[a-z_0-9]+>"
 CORE_LIBRARIES = r"<(Eigen|tbb|oneapi/tbb|boost/multiprecision)/.*>|<immintrin\.h>|<pthread\.h>"
@@ -127,7 +128,8 @@ def faults(files):
     yield from wrong_arrows(files, "core", CORE_ROOMS)
     yield from wrong_arrows(files, "adapters/occt", OCCT_ROOMS)
     yield from wrong_arrows(files, "plugin/reports", REPORT_ROOMS)
-    for library in ("core", "adapters/occt", "plugin/reports", "plugin/cli"):
+    yield from wrong_arrows(files, "plugin/pictures", PICTURE_ROOMS)
+    for library in ("core", "adapters/occt", "plugin/reports", "plugin/pictures", "plugin/cli"):
         yield from cycles(files, library)
         yield from crowded(files, library)
     yield from foreign(files, "core", ".h", ['"core/', STANDARD])
@@ -138,7 +140,11 @@ def faults(files):
     for door in ("cli", "draw", "python", "freecad"):
         yield from foreign(files, f"plugin/{door}", (".h", ".cpp"),
                            ['"core/', '"adapters/', '"plugin/reports/', '"plugin/nets/',
-                            '"plugin/meshes/', '"plugin/drawings/', f'"plugin/{door}/', "<"])
+                            '"plugin/meshes/', '"plugin/drawings/', '"plugin/pictures/',
+                            f'"plugin/{door}/', "<"])
+    yield from foreign(files, "plugin/pictures", (".h", ".cpp"),
+                       ['"core/', '"adapters/', '"plugin/reports/', '"plugin/nets/',
+                        '"plugin/meshes/', '"plugin/pictures/', "<"])
     for shared in ("nets", "meshes", "drawings"):
         yield from foreign(files, f"plugin/{shared}", (".h", ".cpp"),
                            ['"core/', '"adapters/', '"plugin/reports/', f'"plugin/{shared}/', "<"])

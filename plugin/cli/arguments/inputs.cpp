@@ -155,14 +155,6 @@ void note_left_out(const std::string& file, const std::vector<int>& faces,
 
 }  // namespace
 
-std::size_t selection_mark(const std::string& text) {
-  const std::size_t last = text.rfind('#');
-  for (std::size_t mark = last; mark != std::string::npos && mark > 0;
-       mark = text.rfind('#', mark - 1))
-    if (exists(text.substr(0, mark))) return mark;
-  return last;
-}
-
 InputName parse_input(const std::string& text) {
   if (text.empty()) throw UsageError("the name of an input is empty");
   if (text == "-") throw UsageError("inputs are files; nothing is read from stdin");
@@ -259,11 +251,6 @@ std::string other_parts_text(const Input& input, OtherParts fate, const std::set
           : one                       ? "written as it was"
                                       : "written as they were") +
          "\n";
-}
-
-std::string FaceLabels::of(int number) const {
-  const std::string part = given_name(parts_.at(static_cast<std::size_t>(number) - 1));
-  return "face " + std::to_string(number) + (part.empty() ? "" : " (" + part + ")");
 }
 
 }  // namespace blossom::cli

@@ -14,9 +14,11 @@
 
 namespace blossom::cli {
 
+using reports::FaceLabels;
 using reports::given_name;
 using reports::Input;
 using reports::is_of_solids;
+using reports::selection_mark;
 
 /// What the user wrote, taken apart. No ranges and no words means all faces.
 struct InputName {
@@ -28,10 +30,6 @@ struct InputName {
 
   bool is_whole() const { return faces.empty() && words.empty(); }
 };
-
-/// The place of the '#' that ends the file's name: the last one before which there is such a file,
-/// as names of parts and of files may have that letter themselves; else the last one of all.
-std::size_t selection_mark(const std::string& text);
 
 /// Takes `FILE`, `FILE#3,5-9`, `FILE#Shaft` or `FILE#Shaft/Face3,solid:2` apart. A file that is
 /// really called so wins. Names with commas are in pieces, see `reports::words_in`.
@@ -71,15 +69,5 @@ enum class OtherParts { LeftOut, Kept };
 ///
 /// tools   faces of the same file that other inputs name
 std::string other_parts_text(const Input& input, OtherParts fate, const std::set<int>& tools = {});
-
-/// Faces as results name them: "face 12 (Bolt)", the part's name if it has one.
-class FaceLabels {
- public:
-  explicit FaceLabels(const Input& input) : parts_(input.model.part_paths()) {}
-  std::string of(int number) const;
-
- private:
-  std::vector<std::string> parts_;  // by number - 1
-};
 
 }  // namespace blossom::cli

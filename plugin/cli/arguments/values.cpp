@@ -35,16 +35,6 @@ CLI::Validator taking(const std::string& what, std::function<bool(const std::str
 
 }  // namespace
 
-std::optional<double> finite_value(const std::string& text) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(text, &used);
-    if (used == text.size() && std::isfinite(value)) return value;
-  } catch (const std::exception&) {  // no number
-  }
-  return std::nullopt;
-}
-
 CLI::Validator positive_number() {
   return taking("a positive number", [](const std::string& text) {
     const std::optional<double> value = finite_value(text);

@@ -13,12 +13,10 @@
 #include <CLI/App.hpp>
 
 #include "plugin/reports/text/number_text.h"
+#include "plugin/reports/text/vectors.h"
 #include "plugin/reports/text/words.h"
 
 namespace blossom::cli {
-
-/// The number that a word of the command line is; none if it is not finite or goes on after it.
-std::optional<double> finite_value(const std::string& text);
 
 CLI::Validator positive_number();
 
@@ -39,6 +37,7 @@ CLI::Option* add_angle(CLI::App& command, const std::string& name, double& radia
 /// Limits an option to some words, which its help shows as "{cut,common,split}".
 void limit_to(CLI::Option& option, const std::vector<std::string>& words);
 
+using reports::finite_value;
 using reports::listed;
 using reports::nearest_word;
 using reports::number_text;

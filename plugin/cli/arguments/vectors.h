@@ -7,6 +7,7 @@
 
 #include "adapters/occt/plane_section.h"
 #include "core/math/vec.h"
+#include "plugin/reports/text/vectors.h"
 
 namespace blossom::cli {
 
@@ -19,10 +20,7 @@ Vec3 parse_vector(const std::string& text, const std::string& what);
 /// throws   UsageError unless there are six finite numbers and the normal is not zero
 occt::Plane parse_plane(const std::string& text, const std::string& what);
 
-/// A point whose coordinates are 0 where they are nothing beside the others.
-Vec3 without_roundings(const Vec3& v);
-
-/// "(1, -2.5, 300)".
-std::string vector_text(const Vec3& v);
+using reports::vector_text;
+using reports::without_roundings;
 
 }  // namespace blossom::cli

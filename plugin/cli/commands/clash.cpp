@@ -14,7 +14,6 @@
 #include "plugin/cli/arguments/options.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/arguments/vectors.h"
-#include "plugin/cli/commands/clash_picture.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/query/query_parts.h"
 #include "plugin/cli/exit_code.h"
@@ -24,6 +23,7 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
+#include "plugin/pictures/results/clash.h"
 #include "plugin/reports/queries/clash.h"
 
 namespace blossom::cli {
@@ -86,24 +86,6 @@ std::string details(const ClashRow& row, const ClashAnswer& answer) {
   return text;
 }
 
-// The words of counts in the order of the table.
-std::string counts_text(const std::vector<ClashRow>& near, std::size_t all) {
-  std::map<std::string, std::size_t> counts;
-  for (const ClashRow& row : near) ++counts[clash_word(row)];
-  counts["clear"] += all - near.size();
-  std::string text;
-  for (const char* word : {"penetrates", "contained", "equal", "touches", "clear", "unknown"})
-    if (counts[word] > 0) text += ", " + std::to_string(counts[word]) + " " + word;
-  return text;
-}
-
-// "6 parts, 15 pairs, 2 penetrates, 13 clear".
-std::string counted_pairs(const ClashAnswer& answer) {
-  const std::size_t all = reports::pair_count(answer);
-  return counted(answer.parts.size(), "part") + ", " + counted(all, "pair") +
-         counts_text(reports::rows_of(answer, reports::ClashRows::Near), all);
-}
-
 std::size_t width_of(const std::vector<ClashRow>& rows, const ClashAnswer& answer,
                      std::size_t ClashRow::*side) {
   std::size_t width = 0;
@@ -155,7 +137,7 @@ void write_common(const ClashAnswer& answer, const std::string& file) {
 int write_outputs(const ClashAnswer& answer, const CommonOptions& common) {
   stop_if_interrupted();
   const std::vector<PictureFile> pictures =
-      picture_files(common, [&] { return clash_picture(answer, counted_pairs(answer)); });
+      picture_files(common, [&] { return pictures::clash_picture(answer); });
   if (!common.output.empty()) write_common(answer, common.output);
   write_pictures(pictures);
   if (!common.table.empty()) occt::write_text(reports::clash_csv(answer), common.table);

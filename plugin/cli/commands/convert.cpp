@@ -16,7 +16,6 @@
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/meshes/convert_mesh.h"
 #include "plugin/cli/commands/meshes/convert_of_mesh.h"
-#include "plugin/cli/commands/meshes/mesh_picture.h"
 #include "plugin/cli/commands/meshes/meshed_input.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/nets/net_input.h"
@@ -24,6 +23,7 @@
 #include "plugin/cli/process/interruption.h"
 #include "plugin/nets/conversion.h"
 #include "plugin/nets/net_json.h"
+#include "plugin/pictures/results/meshes.h"
 #include "plugin/reports/models/repairs.h"
 
 namespace blossom::cli {
@@ -36,7 +36,7 @@ struct ConvertCommand {
   std::string to;  ///< empty: the forms stay
   double tolerance = RegionOptions{}.tolerance;
   MeshConversion mesh;
-  double crease = kUsualCrease;
+  double crease = pictures::kUsualCrease;
   CommonOptions common;
 };
 

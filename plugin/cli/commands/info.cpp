@@ -27,6 +27,7 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/many_files.h"
+#include "plugin/pictures/results/models.h"
 #include "plugin/reports/models/info.h"
 
 namespace blossom::cli {
@@ -37,33 +38,13 @@ using reports::ModelFacts;
 
 constexpr double kUsualPrecision = 2e-7;   // of a box, model units: what is not told
 constexpr double kCornerRounding = 1e-12;  // of a box's size: so small, a coordinate is 0
-constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr int kCornerDigits = 6;        // of a coordinate
-constexpr double kNoDirection = 1e-12;  // of an axis or a place: so small, a coordinate is 0
-
-std::string triple(const Vec3& vector) {
-  const auto text = [](double x) {
-    return number_text(std::abs(x) < kNoDirection ? 0 : rounded(x));
-  };
-  return text(vector[0]) + ", " + text(vector[1]) + ", " + text(vector[2]);
-}
-
-std::string measures_text(const reports::Measures& of) {
-  const bool round = !of.radii.empty() || of.half_angle;
-  if (!round) return of.direction ? "normal " + triple(*of.direction) : "";
-  std::string text = of.hollow ? ", hollow" : "";
-  if (of.half_angle)
-    return "half angle " + number_text(rounded(*of.half_angle * kDegrees)) + "°" + text;
-  if (of.radii.size() == 1) return "radius " + number_text(rounded(of.radii[0])) + text;
-  return "radii " + number_text(rounded(of.radii[0])) + " and " +
-         number_text(rounded(of.radii[1])) + text;
-}
+constexpr int kCornerDigits = 6;           // of a coordinate
 
 // What lines of faces leave out.
 std::string place_text(const reports::Measures& of) {
   if (!of.point) return {};
-  if (!of.direction) return ", centre " + triple(*of.point);
-  return ", axis " + triple(*of.direction) + " through " + triple(*of.point);
+  if (!of.direction) return ", centre " + reports::triple(*of.point);
+  return ", axis " + reports::triple(*of.direction) + " through " + reports::triple(*of.point);
 }
 
 // As in pages of the web.
@@ -82,7 +63,7 @@ std::string face_line(const FaceFacts& face) {
     form << "degree " << face.degree_u << " x " << face.degree_v << ", spans " << face.spans_u
          << " x " << face.spans_v << (face.rational ? ", rational" : "");
   }
-  form << measures_text(face.measures);
+  form << reports::measures_text(face.measures);
   // A degree sign takes two bytes.
   line << std::setw(face.measures.half_angle ? 37 : 36) << form.str() << " " << std::setw(12)
        << (face.area ? number_text(rounded(*face.area)) : "") << std::setw(12) << face.tolerance
@@ -143,27 +124,6 @@ std::string info_text(const Input& input, const ModelFacts& facts) {
        << (facts.valid ? "valid" : "NOT VALID") << ", file in "
        << unit_text(input.model.file_unit()) << "\n";
   return text.str();
-}
-
-// All faces, each with its line of the list.
-Picture info_picture(const Input& input, const ModelFacts& facts) {
-  Picture picture;
-  picture.title = short_name(input.name);
-  picture.subtitle = facts.valid ? "valid" : "not valid";
-  PictureFaces good{{}, kFirstColour, kFirstOpacity, "faces"};
-  PictureFaces bad{{}, kFaultyColour, kFirstOpacity, "faces that are not valid"};
-  const FaceLabels labels(input);
-  for (std::size_t i = 0; i < facts.faces.size(); ++i) {
-    const FaceFacts& face = facts.faces[i];
-    std::string label = labels.of(face.number) + "\n" + face.surface;
-    if (const std::string of = measures_text(face.measures); !of.empty()) label += ", " + of;
-    for (const std::string& problem : face.problems) label += "\n" + problem;
-    PictureFaces& group = face.problems.empty() ? good : bad;
-    group.faces.push_back(input.faces[i]);
-    group.labels.push_back(std::move(label));
-  }
-  picture.groups = {std::move(good), std::move(bad)};
-  return picture;
 }
 
 // Faces that are not valid, or all of them.
@@ -255,7 +215,7 @@ int run(const InfoCommand& options) {
       &forms);
   stop_if_interrupted();
   const std::vector<PictureFile> pictures =
-      picture_files(options.common, [&] { return info_picture(input, facts); });
+      picture_files(options.common, [&] { return pictures::model_picture(input, facts); });
   stop_if_interrupted();
   write_pictures(pictures);
   const std::string& json = options.common.json;

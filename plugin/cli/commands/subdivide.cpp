@@ -24,6 +24,7 @@
 #include "plugin/cli/process/interruption.h"
 #include "plugin/nets/net_shapes.h"
 #include "plugin/nets/subdivision.h"
+#include "plugin/pictures/results/subdivisions.h"
 #include "plugin/reports/models/repairs.h"
 
 namespace blossom::cli {
@@ -76,56 +77,12 @@ std::string summary(const NetInput& input, const nets::Subdivision& made) {
   return text.str();
 }
 
-// Where the pieces of each face begin.
-class Grids {
- public:
-  explicit Grids(const std::vector<Net>& pieces) {
-    for (const Net& piece : pieces) {
-      auto& [u, v] = starts_[piece.source.face];
-      u.insert(piece.u.from);
-      v.insert(piece.v.from);
-    }
-  }
-
-  // 0 or 1, as on a chessboard.
-  std::size_t field(const Net& piece) const {
-    const auto& [u, v] = starts_.at(piece.source.face);
-    const auto row = std::distance(u.begin(), u.find(piece.u.from));
-    const auto column = std::distance(v.begin(), v.find(piece.v.from));
-    return static_cast<std::size_t>((row + column) % 2);
-  }
-
- private:
-  std::map<int, std::pair<std::set<double>, std::set<double>>> starts_;
-};
-
-// Pieces in two colours by turns, with their control nets when these are few.
-Picture picture_of(const std::string& name, const std::vector<Net>& made, std::size_t nets) {
-  constexpr std::size_t kFew = 64;
-  const Grids grids(made);
-  Picture picture;
-  picture.title = "pieces of " + short_name(name);
-  picture.subtitle = counted(made.size(), "piece") + " of " + counted(nets, "net");
-  picture.groups = {{{}, kFirstColour}, {{}, kSecondColour}};
-  PictureLayer control{"control net", kNetColour, LayerStyle::Net}, curves{"curve", kCurveColour};
-  for (std::size_t i = 0; i < made.size(); ++i) {
-    stop_if_interrupted();
-    const std::size_t field = is_triangle(made[i]) ? i % 2 : grids.field(made[i]);
-    if (!is_curve(made[i]))
-      picture.groups[field].faces.push_back(TopoDS::Face(nets::net_shape(made[i])));
-    if (made.size() > kFew && !is_curve(made[i])) continue;
-    PictureLayer& layer = is_curve(made[i]) ? curves : control;
-    for (auto& line : nets::net_lines(made[i]))
-      layer.items.push_back({std::move(line), "piece " + std::to_string(i + 1)});
-  }
-  picture.layers = {std::move(control), std::move(curves)};
-  return picture;
-}
-
 void write_outputs(NetInput& input, const SubdivideCommand& options,
                    const nets::Subdivision& made) {
-  const std::vector<PictureFile> pictures = picture_files(
-      options.common, [&] { return picture_of(options.input, made.pieces, input.nets.size()); });
+  const std::vector<PictureFile> pictures = picture_files(options.common, [&] {
+    return pictures::subdivision_picture(options.input, made.pieces, input.nets.size(),
+                                         stop_if_interrupted);
+  });
   if (!options.common.output.empty()) write_nets(input, made.pieces, options.common.output);
   write_pictures(pictures);
   if (!options.common.json.empty()) write_json(report_of(input, made), options.common.json);

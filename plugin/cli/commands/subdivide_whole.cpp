@@ -11,10 +11,10 @@
 #include "plugin/cli/commands/query/query_parts.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/picture/files.h"
-#include "plugin/cli/picture/mesh.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/nets/net_json.h"
 #include "plugin/nets/whole_parts.h"
+#include "plugin/pictures/results/subdivisions.h"
 
 namespace blossom::cli {
 namespace {
@@ -25,23 +25,6 @@ void write_parts(const Input& input, const std::vector<WholePart>& parts, const 
   if (parts.front().source.face == 0) return write_model(nets::model_of_whole_edges(parts), file);
   nets::put_whole_faces(input.model, parts);
   write_model(input.model, file);
-}
-
-Picture picture_of(const std::string& name, const std::vector<WholePart>& parts) {
-  Picture picture;
-  picture.title = "B-splines of " + short_name(name);
-  picture.groups = {{{}, kFirstColour}};
-  PictureLayer curves{"curve", kCurveColour};
-  PictureFaces& surfaces = picture.groups.front();
-  for (const WholePart& part : parts)
-    if (part.source.face > 0) {
-      surfaces.faces.push_back(TopoDS::Face(part.shape));
-      surfaces.labels.push_back(nets::name_of(part.source));
-    } else if (auto points = edge_points(TopoDS::Edge(part.shape)); !points.empty()) {
-      curves.items.push_back({std::move(points), nets::name_of(part.source)});
-    }
-  picture.layers = {std::move(curves)};
-  return picture;
 }
 
 std::string summary_of_whole(const std::string& name, const std::vector<WholePart>& parts,
@@ -77,8 +60,8 @@ int run_whole(const WholeQuestion& question) {
   const std::vector<WholePart> parts = nets::whole_parts(input, cut);
   const double seconds = watch.seconds();
   const Json report = nets::whole_report(input, cut, parts, seconds);
-  const std::vector<PictureFile> pictures =
-      picture_files(question.common, [&] { return picture_of(question.input, parts); });
+  const std::vector<PictureFile> pictures = picture_files(
+      question.common, [&] { return pictures::whole_picture(question.input, parts); });
   stop_if_interrupted();
   if (!question.common.output.empty()) write_parts(input, parts, question.common.output);
   write_pictures(pictures);

@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/picture/files.h"
 
-#include <map>
-
 #include "adapters/occt/shapes.h"
 #include "plugin/cli/output/verbosity.h"
-#include "plugin/cli/page/glb.h"
-#include "plugin/cli/page/page.h"
-#include "plugin/cli/picture/drawing.h"
-#include "plugin/cli/picture/scene.h"
 #include "plugin/cli/process/supervision.h"
-#include "plugin/reports/text/json.h"
+#include "plugin/pictures/image/drawing.h"
+#include "plugin/pictures/page/glb.h"
+#include "plugin/pictures/page/page.h"
+#include "plugin/pictures/scene/scene.h"
 
 namespace blossom::cli {
-namespace {
-
-void report_faces_not_filled(const std::vector<SceneMesh>& meshes) {
-  std::map<std::string, std::size_t> faces;  // by the reason
-  for (const SceneMesh& item : meshes)
-    if (!item.mesh().obstacle.empty()) ++faces[item.mesh().obstacle];
-  for (const auto& [reason, count] : faces)
-    note("the picture shows " + reports::counted(count, "face") + " by edges alone: " + reason);
-}
-
-}  // namespace
-
 std::vector<std::string> picture_names(const CommonOptions& options) {
   std::vector<std::string> names = {options.picture, options.look.html, options.look.glb};
   std::erase(names, "");
@@ -32,16 +17,16 @@ std::vector<std::string> picture_names(const CommonOptions& options) {
 }
 
 std::vector<PictureFile> picture_files(const CommonOptions& options,
-                                       const std::function<Picture()>& make) {
+                                       const std::function<pictures::Picture()>& make) {
   std::vector<PictureFile> files;
   if (picture_names(options).empty()) return files;
   enter(Phase::Working, "drawing pictures");
-  Picture picture = make();
+  pictures::Picture picture = make();
   picture.view = options.look.view;
   picture.width = options.look.width;
   picture.height = options.look.height;
-  const std::vector<SceneMesh> meshes = scene_meshes(picture);
-  report_faces_not_filled(meshes);
+  const std::vector<pictures::SceneMesh> meshes = pictures::scene_meshes(picture);
+  for (const std::string& text : pictures::notes_on(meshes)) note(text);
   if (!options.picture.empty()) files.push_back({options.picture, picture_png(picture, meshes)});
   if (!options.look.html.empty()) files.push_back({options.look.html, page_html(picture, meshes)});
   if (!options.look.glb.empty()) files.push_back({options.look.glb, glb_bytes(picture, meshes)});

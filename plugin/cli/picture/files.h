@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plugin/cli/arguments/options.h"
-#include "plugin/cli/picture/picture.h"
+#include "plugin/pictures/scene/picture.h"
 
 namespace blossom::cli {
 
@@ -23,7 +23,7 @@ std::vector<std::string> picture_names(const CommonOptions& options);
 /// What these ask for; nothing is made if none of them does.
 /// throws   as picture_png
 std::vector<PictureFile> picture_files(const CommonOptions& options,
-                                       const std::function<Picture()>& make);
+                                       const std::function<pictures::Picture()>& make);
 
 /// Writes them.
 /// throws   occt::Failure if one cannot be written

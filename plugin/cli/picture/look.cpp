@@ -3,14 +3,17 @@
 
 #include <charconv>
 
+#include "core/base/errors.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/picture/view.h"
+#include "plugin/pictures/scene/picture.h"
+#include "plugin/pictures/scene/view.h"
 
 namespace blossom::cli {
 namespace {
 
-constexpr int kMinSide = 100, kMaxSide = 8000;  // pixels
+using pictures::kMaxSide;
+using pictures::kMinSide;
 
 // One side of a picture and what follows it; 0 if it is none.
 int side_of(const char*& at, const char* end) {
@@ -31,6 +34,14 @@ void take_size(const std::string& text, PictureLook& look) {
                      " to " + std::to_string(kMaxSide) + ", not '" + text + "'");
 }
 
+void check_view(const std::string& text) {
+  try {
+    pictures::view_direction(text);
+  } catch (const InvalidInput& wrong) {
+    throw UsageError("--" + std::string(wrong.what()));
+  }
+}
+
 }  // namespace
 
 void add_picture_options(CLI::App& command, std::string& picture, PictureLook& look,
@@ -44,10 +55,11 @@ void add_picture_options(CLI::App& command, std::string& picture, PictureLook& l
       .add_option_function<std::string>(
           "--view",
           [&look](const std::string& text) {
-            view_direction(text);  // a wrong one is told before the work
+            check_view(text);  // a wrong one is told before the work
             look.view = text;
           },
-          "where the picture is seen from: " + listed(view_words()) + ", or a direction to the eye")
+          "where the picture is seen from: " + listed(pictures::view_words()) +
+              ", or a direction to the eye")
       ->type_name("VIEW");
   command
       .add_option_function<std::string>(

@@ -244,4 +244,10 @@ Json fillet_report(const Input& part, const FilletAnswer& answer) {
   return report;
 }
 
+std::string done_text(const FilletAnswer& answer) {
+  if (is_unchanged(answer.made)) return "the part is as it was";
+  if (answer.made.solids.empty()) return "refused";
+  return counted(answer.made.edges.size(), "edge") + (answer.of.chamfer ? " cut off" : " rounded");
+}
+
 }  // namespace blossom::reports

@@ -62,4 +62,7 @@ void put_fillets(occt::Model& part, const FilletAnswer& answer);
 /// The whole object, schema "blossom.blend/1".
 Json fillet_report(const Input& part, const FilletAnswer& answer);
 
+/// "2 edges rounded", "refused", or that nothing had to be done.
+std::string done_text(const FilletAnswer& answer);
+
 }  // namespace blossom::reports

@@ -100,4 +100,9 @@ Json trim_report(const Input& part, const std::vector<const Input*>& others,
           {"repairs", std::move(repairs)}};
 }
 
+std::string side_text(occt::PieceSide side) {
+  const std::string word = to_string(side);
+  return word == "unknown" ? "side undecided" : word;
+}
+
 }  // namespace blossom::reports

@@ -47,4 +47,7 @@ Json planes_json(const std::vector<occt::Plane>& planes);
 Json trim_report(const Input& part, const std::vector<const Input*>& others,
                  const TrimAnswer& answer);
 
+/// "above", "inside", ...; "side undecided" if it is not known.
+std::string side_text(occt::PieceSide side);
+
 }  // namespace blossom::reports

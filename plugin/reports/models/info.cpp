@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -24,9 +25,13 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/base/surface_words.h"
 #include "adapters/occt/faces/area.h"
+#include "plugin/reports/text/number_text.h"
 
 namespace blossom::reports {
 namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kNoDirection = 1e-12;  // of an axis or a place: so small, a coordinate is 0
 
 struct Counted {
   TopAbs_ShapeEnum kind;
@@ -236,6 +241,24 @@ Json info_report(const Input& input, const ModelFacts& facts) {
   json["faces"] = Json::array();
   for (const FaceFacts& face : facts.faces) json["faces"].push_back(face_json(face));
   return json;
+}
+
+std::string triple(const Vec3& vector) {
+  const auto text = [](double x) {
+    return number_text(std::abs(x) < kNoDirection ? 0 : rounded(x));
+  };
+  return text(vector[0]) + ", " + text(vector[1]) + ", " + text(vector[2]);
+}
+
+std::string measures_text(const Measures& of) {
+  const bool round = !of.radii.empty() || of.half_angle;
+  if (!round) return of.direction ? "normal " + triple(*of.direction) : "";
+  std::string text = of.hollow ? ", hollow" : "";
+  if (of.half_angle)
+    return "half angle " + number_text(rounded(*of.half_angle * kDegrees)) + "°" + text;
+  if (of.radii.size() == 1) return "radius " + number_text(rounded(of.radii[0])) + text;
+  return "radii " + number_text(rounded(of.radii[0])) + " and " +
+         number_text(rounded(of.radii[1])) + text;
 }
 
 }  // namespace blossom::reports

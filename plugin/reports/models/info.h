@@ -87,4 +87,10 @@ std::vector<ShapeCount> shape_counts(const TopoDS_Shape& shape);
 /// The whole object, schema "blossom.info/1".
 Json info_report(const Input& input, const ModelFacts& facts);
 
+/// "1, 0, -2.5": coordinates, what is nothing beside them as 0.
+std::string triple(const Vec3& vector);
+
+/// "radius 5, hollow": what lines of faces tell of it.
+std::string measures_text(const Measures& of);
+
 }  // namespace blossom::reports

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -74,5 +76,32 @@ UnusableFaces drop_unusable_faces(Input& input) {
 }
 
 std::string given_name(const std::string& part) { return part.starts_with(kNoName) ? "" : part; }
+
+std::string FaceLabels::of(int number) const {
+  const std::string part = given_name(parts_.at(static_cast<std::size_t>(number) - 1));
+  return "face " + std::to_string(number) + (part.empty() ? "" : " (" + part + ")");
+}
+
+std::vector<std::string> face_labels(const Input& input) {
+  const FaceLabels labels(input);
+  std::vector<std::string> all;
+  for (const int number : input.numbers) all.push_back(labels.of(number));
+  return all;
+}
+
+std::size_t selection_mark(const std::string& text) {
+  const std::size_t last = text.rfind('#');
+  for (std::size_t mark = last; mark != std::string::npos && mark > 0;
+       mark = text.rfind('#', mark - 1))
+    if (std::error_code ignored; std::filesystem::exists(text.substr(0, mark), ignored))
+      return mark;
+  return last;
+}
+
+std::string short_name(const std::string& input) {
+  const std::size_t end = std::min(selection_mark(input), input.size());  // "/" may follow
+  const std::size_t slash = input.rfind('/', end);
+  return slash == std::string::npos ? input : input.substr(slash + 1);
+}
 
 }  // namespace blossom::reports

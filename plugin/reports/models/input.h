@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -57,5 +58,25 @@ UnusableFaces drop_unusable_faces(Input& input);
 /// The name of a part, or of a face; empty if it is only what Open CASCADE's writer puts there for
 /// none.
 std::string given_name(const std::string& part);
+
+/// Faces as results name them: "face 12 (Bolt)", the part's name if it has one.
+class FaceLabels {
+ public:
+  explicit FaceLabels(const Input& input) : parts_(input.model.part_paths()) {}
+  std::string of(int number) const;
+
+ private:
+  std::vector<std::string> parts_;  // by number - 1
+};
+
+/// What a page tells of all faces of an input, in their order.
+std::vector<std::string> face_labels(const Input& input);
+
+/// The place of the '#' that ends the file's name: the last one before which there is such a file,
+/// as names of parts and of files may have that letter themselves; else the last one of all.
+std::size_t selection_mark(const std::string& text);
+
+/// An input as titles name it: without the folder that its file lies in.
+std::string short_name(const std::string& input);
 
 }  // namespace blossom::reports

@@ -154,6 +154,17 @@ std::string csv_line(const ClashRow& row, const ClashAnswer& answer) {
   return csv_row(fields);
 }
 
+// The words of counts in the order of the table.
+std::string counts_by_relation(const std::vector<ClashRow>& near, std::size_t all) {
+  std::map<std::string, std::size_t> counts;
+  for (const ClashRow& row : near) ++counts[clash_word(row)];
+  counts["clear"] += all - near.size();
+  std::string text;
+  for (const char* word : {"penetrates", "contained", "equal", "touches", "clear", "unknown"})
+    if (counts[word] > 0) text += ", " + std::to_string(counts[word]) + " " + word;
+  return text;
+}
+
 }  // namespace
 
 void add_input(ClashAnswer& answer, const Input& input) {
@@ -264,6 +275,12 @@ std::string clash_csv(const ClashAnswer& answer) {
                "distance_lower", "distance_upper", "x", "y", "z", "status", "note"});
   for (const ClashRow& row : rows_of(answer, reported(answer))) table += csv_line(row, answer);
   return table;
+}
+
+std::string counted_pairs(const ClashAnswer& answer) {
+  const std::size_t all = pair_count(answer);
+  return counted(answer.parts.size(), "part") + ", " + counted(all, "pair") +
+         counts_by_relation(rows_of(answer, ClashRows::Near), all);
 }
 
 }  // namespace blossom::reports

@@ -75,4 +75,7 @@ Json clash_report(const ClashAnswer& answer);
 /// The table, with a line of titles.
 std::string clash_csv(const ClashAnswer& answer);
 
+/// "6 parts, 15 pairs, 2 penetrates, 13 clear".
+std::string counted_pairs(const ClashAnswer& answer);
+
 }  // namespace blossom::reports

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What pictures of triangles of a file show: places, outlines and faulty sides.
 
-#include "plugin/cli/commands/meshes/mesh_picture.h"
+#include "plugin/pictures/results/meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <vector>
 
-#include "plugin/cli/picture/scene.h"
+#include "plugin/pictures/scene/scene.h"
 
 namespace blossom::cli {
 namespace {
+
+using namespace pictures;
 
 using Sides = std::vector<std::array<int, 2>>;
 
@@ -24,7 +26,7 @@ meshes::FileMesh square() {
 
 std::vector<PictureMesh> meshes_of(const meshes::FileMesh& mesh) {
   std::vector<PictureMesh> made;
-  for (const PictureFaces& group : mesh_faces(mesh, "it", kFirstColour, 1))
+  for (const PictureFaces& group : mesh_faces(mesh, "it", kFirstColour, 1, [] {}))
     made.insert(made.end(), group.meshes.begin(), group.meshes.end());
   return made;
 }
@@ -63,7 +65,7 @@ TEST(MeshPicture, ShowsASideThatIsOpenAndCrowdedAsCrowdedOnly) {
   meshes::FileMesh mesh = square();
   mesh.points.push_back({0, 0, 1});
   mesh.triangles.push_back({2, 0, 4});
-  const std::vector<PictureLayer> layers = faulty_side_layers(mesh);
+  const std::vector<PictureLayer> layers = faulty_side_layers(mesh, [] {});
   EXPECT_EQ(layers.at(0).items.size(), 6u);
   EXPECT_EQ(layers.at(1).items.size(), 1u);
   EXPECT_TRUE(layers.at(2).items.empty());
@@ -71,7 +73,7 @@ TEST(MeshPicture, ShowsASideThatIsOpenAndCrowdedAsCrowdedOnly) {
 
 TEST(MeshPicture, IsDrawnFromTheMeshesThatItHoldsWithoutACopy) {
   Picture picture;
-  picture.groups = mesh_faces(square(), "it", kFirstColour, 1);
+  picture.groups = mesh_faces(square(), "it", kFirstColour, 1, [] {});
   EXPECT_EQ(&scene_meshes(picture).at(0).mesh(), &picture.groups[0].meshes[0]);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Pages and glTF files: what is in them, that they need nothing else, and that both can be read.
 
-#include "plugin/cli/page/page.h"
+#include "plugin/pictures/page/page.h"
 
 #include <gtest/gtest.h>
 
@@ -17,13 +17,15 @@
 #include <RWMesh_CoordinateSystemConverter.hxx>
 #include <nlohmann/json.hpp>
 
-#include "plugin/cli/page/base64.h"
-#include "plugin/cli/page/glb.h"
-#include "plugin/cli/page/viewer_files.h"
+#include "plugin/pictures/page/base64.h"
+#include "plugin/pictures/page/glb.h"
+#include "plugin/pictures/page/viewer_files.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::cli {
 namespace {
+
+using namespace pictures;
 
 using nlohmann::json;
 

@@ -12,17 +12,19 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
-#include "plugin/cli/exit_code.h"
-#include "plugin/cli/picture/annotations.h"
-#include "plugin/cli/picture/drawing.h"
-#include "plugin/cli/picture/hatch.h"
-#include "plugin/cli/picture/picture.h"
-#include "plugin/cli/picture/raster/lettering.h"
-#include "plugin/cli/picture/view.h"
+#include "core/base/errors.h"
+#include "plugin/pictures/image/annotations.h"
+#include "plugin/pictures/image/drawing.h"
+#include "plugin/pictures/image/raster/lettering.h"
+#include "plugin/pictures/scene/hatch.h"
+#include "plugin/pictures/scene/picture.h"
+#include "plugin/pictures/scene/view.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::cli {
 namespace {
+
+using namespace pictures;
 
 // A square of side 2 round the origin with a normal.
 std::vector<Vec3> square(const Vec3& normal) {
@@ -45,7 +47,7 @@ TEST(View, TakesWordsAndDirections) {
   EXPECT_EQ(view_direction("top"), (Vec3{0, 0, 1}));
   EXPECT_EQ(view_direction("0,-2,0"), (Vec3{0, -1, 0}));
   for (const char* wrong : {"above", "0,0,0", "1,2", "1,2,x", ""})
-    EXPECT_THROW(view_direction(wrong), UsageError) << wrong;
+    EXPECT_THROW(view_direction(wrong), InvalidInput) << wrong;
 }
 
 TEST(View, HasXToTheRightFromTheFrontAndFromAbove) {

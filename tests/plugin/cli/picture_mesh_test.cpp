@@ -2,7 +2,7 @@
 // Faces of pictures as triangles: how near they are, how they are turned, and what stands for a
 // face that has none.
 
-#include "plugin/cli/picture/mesh.h"
+#include "plugin/pictures/scene/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,15 @@
 #include <gp_Pln.hxx>
 
 #include "core/math/index.h"
-#include "plugin/cli/picture/drawing.h"
-#include "plugin/cli/picture/scene.h"
-#include "plugin/cli/picture/view.h"
+#include "plugin/pictures/image/drawing.h"
+#include "plugin/pictures/scene/scene.h"
+#include "plugin/pictures/scene/view.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::cli {
 namespace {
+
+using namespace pictures;
 
 std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Face> faces;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The software renderer: what is drawn where, and that its PNG files can be read.
 
-#include "plugin/cli/picture/picture.h"
+#include "plugin/pictures/scene/picture.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -10,13 +10,15 @@
 #include <array>
 #include <cstdlib>
 
-#include "plugin/cli/picture/drawing.h"
-#include "plugin/cli/picture/raster/canvas.h"
-#include "plugin/cli/picture/raster/png.h"
+#include "plugin/pictures/image/drawing.h"
+#include "plugin/pictures/image/raster/canvas.h"
+#include "plugin/pictures/image/raster/png.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::cli {
 namespace {
+
+using namespace pictures;
 
 constexpr Vec3 kRed = {1, 0, 0};
 constexpr Vec3 kBlue = {0, 0, 1};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Zebra stripes: what they cover, and where they lie.
 
-#include "plugin/cli/picture/zebra.h"
+#include "plugin/pictures/scene/zebra.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +16,8 @@
 
 namespace blossom::cli {
 namespace {
+
+using namespace pictures;
 
 std::vector<TopoDS_Face> zebra_faces(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Face> faces;

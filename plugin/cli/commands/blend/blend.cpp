@@ -19,6 +19,7 @@
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
+#include "plugin/pictures/results/blends.h"
 #include "plugin/reports/blends/strip.h"
 #include "plugin/reports/models/entity_words.h"
 
@@ -88,14 +89,8 @@ void write_outputs(const Input& a, const Input& b, const StripCommand& command,
     model.add(timed.made.face, "strip");
     write_model(model, command.common.output);
   }
-  write_pictures(picture_files(command.common, [&] {
-    Picture picture;
-    picture.title = "strip from " + short_name(a.name) + " to " + short_name(b.name);
-    picture.groups = {{a.faces, kFirstColour, 1, short_name(a.name)},
-                      {b.faces, kFirstColour, 1, short_name(b.name)},
-                      {{timed.made.face}, kSecondColour, 1, "strip"}};
-    return picture;
-  }));
+  write_pictures(
+      picture_files(command.common, [&] { return pictures::strip_picture(a, b, timed.made); }));
   if (!command.common.json.empty())
     write_json(reports::strip_report(a, b, command.wishes, timed.made, timed.seconds),
                command.common.json);

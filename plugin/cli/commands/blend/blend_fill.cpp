@@ -19,6 +19,7 @@
 #include "plugin/cli/output/reading.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
+#include "plugin/pictures/results/blends.h"
 #include "plugin/reports/blends/fill.h"
 #include "plugin/reports/models/entity_words.h"
 
@@ -124,18 +125,6 @@ std::string summary(const Input& input, const reports::FillAnswer& holes) {
   return text.str();
 }
 
-Picture picture_of(const Input& input, const reports::FillAnswer& holes) {
-  std::vector<TopoDS_Face> faces;
-  for (const reports::Hole& hole : holes.all)
-    faces.insert(faces.end(), hole.filled.faces.begin(), hole.filled.faces.end());
-  Picture picture;
-  picture.title = "fill of " + short_name(input.name);
-  picture.subtitle = counted(holes.filled(), "hole") + " filled";
-  picture.groups = {{input.faces, kFirstColour, 1, short_name(input.name)},
-                    {faces, kSecondColour, 1, "patches"}};
-  return picture;
-}
-
 void write_outputs(const Input& input, const FillCommand& command,
                    const reports::FillAnswer& holes) {
   if (!command.common.output.empty()) {
@@ -144,7 +133,8 @@ void write_outputs(const Input& input, const FillCommand& command,
                             : reports::fills_alone(holes, tolerance),
                 command.common.output);
   }
-  write_pictures(picture_files(command.common, [&] { return picture_of(input, holes); }));
+  write_pictures(
+      picture_files(command.common, [&] { return pictures::fill_picture(input, holes); }));
   if (!command.common.json.empty())
     write_json(reports::fill_report(input, holes), command.common.json);
   print_summary(summary(input, holes), command.common.json);

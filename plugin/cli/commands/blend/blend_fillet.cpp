@@ -34,6 +34,7 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
+#include "plugin/pictures/results/blends.h"
 #include "plugin/reports/blends/blend_words.h"
 #include "plugin/reports/blends/fillet.h"
 #include "plugin/reports/models/entity_words.h"
@@ -105,12 +106,6 @@ std::string edges_text(const std::vector<int>& numbers) {
   return text.str();
 }
 
-std::string done_text(const FilletCommand& command, const occt::FilletResult& made) {
-  if (reports::is_unchanged(made)) return "the part is as it was";
-  if (made.solids.empty()) return "refused";
-  return counted(made.edges.size(), "edge") + (command.is_chamfer() ? " cut off" : " rounded");
-}
-
 // "fillet of radius 2, of edge 12 5".
 std::string size_text(const FilletCommand& command) {
   std::string text = command.is_chamfer() ? "chamfer of distance " : "fillet ";
@@ -137,7 +132,7 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
   std::ostringstream text;
   const occt::FilletResult& made = timed.made;
   text << part.name << ": " << size_text(command) << ", ";
-  text << done_text(command, made) << ", " << seconds_text(timed.seconds) << "\n";
+  text << reports::done_text(timed) << ", " << seconds_text(timed.seconds) << "\n";
   if (!made.solids.empty()) {
     const double more = reports::volume_of(made) - made.volume_before;
     text << (made.edges.size() == 1 ? "  edge " : "  edges ") << edges_text(made.edges)
@@ -154,26 +149,6 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
   if (verbosity() != Verbosity::Verbose) findings = reports::by_kind(findings);
   for (const std::string& finding : findings) text << "  " << finding << "\n";
   return text.str();
-}
-
-Picture picture_of(const FilletCommand& command, const Input& part,
-                   const occt::FilletResult& made) {
-  const std::string kind = command.is_chamfer() ? "chamfer" : "fillet";
-  Picture picture;
-  picture.title = kind + "s of " + short_name(part.name);
-  picture.subtitle = done_text(command, made);
-  picture.groups = {{{}, kFirstColour, 1, "faces"}, {{}, kSecondColour, 1, kind + "s"}};
-  const FaceLabels labels(part);
-  if (made.solids.empty()) picture.groups.front().faces = part.faces;
-  for (const occt::FilletedSolid& solid : made.solids)
-    for (const occt::FilletFace& face : solid.faces) {
-      PictureFaces& group = picture.groups[face.from > 0 ? 0 : 1];
-      group.faces.push_back(face.face);
-      group.labels.push_back(face.from > 0   ? labels.of(face.from)
-                             : face.edge > 0 ? kind + " of edge " + std::to_string(face.edge)
-                                             : kind + " of a corner");
-    }
-  return picture;
 }
 
 void check_options(const FilletCommand& command) {
@@ -234,7 +209,7 @@ int run(FilletCommand command) {
   const bool write = any && !outputs.output.empty();
   const std::string others = other_parts_text(part, OtherParts::Kept);
   if (any)
-    write_pictures(picture_files(outputs, [&] { return picture_of(command, part, timed.made); }));
+    write_pictures(picture_files(outputs, [&] { return pictures::fillet_picture(part, timed); }));
   if (write) write_part(part, timed, outputs.output);
   timed.written = write;
   if (!any) {

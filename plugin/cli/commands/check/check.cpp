@@ -13,7 +13,6 @@
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/options.h"
 #include "plugin/cli/commands/check/check_continuity.h"
-#include "plugin/cli/commands/check/check_picture.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/meshes/mesh_commands.h"
 #include "plugin/cli/exit_code.h"
@@ -22,6 +21,7 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/many_files.h"
+#include "plugin/pictures/results/models.h"
 #include "plugin/reports/models/soundness.h"
 
 namespace blossom::cli {
@@ -199,7 +199,7 @@ int run(const CheckCommand& options) {
   const DeepCheck deep = options.deep ? deep_check(input) : DeepCheck{};
   stop_if_interrupted();
   const std::vector<PictureFile> pictures =
-      picture_files(options.common, [&] { return soundness_picture(input, found); });
+      picture_files(options.common, [&] { return pictures::soundness_picture(input, found); });
   stop_if_interrupted();
   write_pictures(pictures);
   const std::string& json = options.common.json;

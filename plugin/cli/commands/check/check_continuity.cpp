@@ -8,60 +8,24 @@
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/commands/check/continuity_text.h"
-#include "plugin/cli/commands/intersect/intersection_picture.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/picture/files.h"
-#include "plugin/cli/picture/mesh.h"
-#include "plugin/cli/picture/zebra.h"
 #include "plugin/cli/process/interruption.h"
+#include "plugin/pictures/results/continuity.h"
+#include "plugin/pictures/scene/zebra.h"
 
 namespace blossom::cli {
 namespace {
 
-constexpr Vec3 kApartColour = {0.85, 0.10, 0.60};
-constexpr Vec3 kSharpColour = {0.10, 0.11, 0.13};
-constexpr Vec3 kTangentColour = {0.90, 0.49, 0.08};
-constexpr Vec3 kSmoothColour = {0.13, 0.58, 0.25};
-constexpr Vec3 kOpenColour = {0.82, 0.12, 0.12};
-
-// The layers of the picture; what is less smooth is drawn over what is smoother.
-struct EdgeLayers {
-  PictureLayer smooth{"G2", kSmoothColour};
-  PictureLayer tangent{"G1", kTangentColour};
-  PictureLayer sharp{"sharp (G0)", kSharpColour};
-  PictureLayer apart{"apart", kApartColour};
-  PictureLayer open{"not compared", kOpenColour};
-
-  PictureLayer& of(const occt::EdgeContinuity& edge) {
-    if (!edge.found) return open;
-    switch (edge.smoothness) {
-      case Smoothness::None: return apart;
-      case Smoothness::G0: return sharp;
-      case Smoothness::G1: return tangent;
-      case Smoothness::G2: break;
-    }
-    return smooth;
-  }
-};
-
-Picture picture_of(const Input& input, const ContinuityReport& report, const CommonOptions& common,
-                   bool zebra) {
-  Picture picture;
-  picture.title = "continuity of " + short_name(input.name);
-  picture.groups = {
-      {input.faces, kFirstColour, kFirstOpacity, short_name(input.name), face_labels(input)}};
-  if (zebra) {
-    picture.view = common.look.view;
-    picture.width = common.look.width;
-    picture.height = common.look.height;
-    paint_zebra(picture);
-  }
-  EdgeLayers layers;
-  for (const occt::EdgeContinuity& edge : report.edges)
-    if (std::vector<Vec3> points = edge_points(edge.edge); !points.empty())
-      layers.of(edge).items.push_back({std::move(points), edge_line(edge)});
-  picture.layers = {layers.smooth, layers.tangent, layers.sharp, layers.apart, layers.open};
+pictures::Picture picture_of(const Input& input, const ContinuityReport& report,
+                             const CommonOptions& common, bool zebra) {
+  pictures::Picture picture = pictures::continuity_picture(input, report);
+  if (!zebra) return picture;
+  picture.view = common.look.view;
+  picture.width = common.look.width;
+  picture.height = common.look.height;
+  paint_zebra(picture);
   return picture;
 }
 

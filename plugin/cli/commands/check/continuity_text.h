@@ -6,6 +6,7 @@
 #include <string>
 
 #include "plugin/reports/blends/continuity.h"
+#include "plugin/reports/blends/continuity_words.h"
 
 namespace blossom::cli {
 
@@ -20,8 +21,5 @@ struct ContinuityReport : reports::ContinuityAnswer {
 /// has_picture   then colours are explained
 std::string continuity_text(const std::string& name, const ContinuityReport& report,
                             bool has_picture);
-
-/// All that is known of an edge, in one line.
-std::string edge_line(const occt::EdgeContinuity& edge);
 
 }  // namespace blossom::cli

@@ -11,15 +11,16 @@
 
 #include "plugin/cli/arguments/hidden.h"
 #include "plugin/cli/arguments/values.h"
-#include "plugin/cli/commands/intersect/intersection_picture.h"
 #include "plugin/cli/commands/intersect/intersection_text.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/intersection_model.h"
 #include "plugin/cli/output/output.h"
+#include "plugin/cli/output/reading.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
 #include "plugin/cli/process/stages.h"
+#include "plugin/pictures/results/intersection.h"
 
 namespace blossom::cli {
 namespace {
@@ -104,8 +105,9 @@ int write_outputs(const Input& a, const Input& b, const std::string& title,
     model = paired_model(a, b, result.found, result.edges);
   if (model && !TopExp_Explorer(model->shape(), TopAbs_VERTEX).More()) model.reset();
   const bool unwritten = !options.output.empty() && !model;
-  const std::vector<PictureFile> pictures =
-      picture_files(options, [&] { return intersection_picture(findings); });
+  const std::vector<PictureFile> pictures = picture_files(options, [&] {
+    return pictures::intersection_picture(findings, stated(findings.found.status));
+  });
   stop_if_interrupted();
 
   if (model) write_model(*model, options.output);

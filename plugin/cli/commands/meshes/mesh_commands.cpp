@@ -13,7 +13,6 @@
 #include "core/bounds/box_tree.h"
 #include "core/math/index.h"
 #include "plugin/cli/arguments/inputs.h"
-#include "plugin/cli/commands/meshes/mesh_picture.h"
 #include "plugin/cli/commands/meshes/meshed_input.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/nets/net_input.h"
@@ -25,6 +24,8 @@
 #include "plugin/meshes/mesh_info.h"
 #include "plugin/meshes/mesh_judge.h"
 #include "plugin/meshes/part_crossings.h"
+#include "plugin/pictures/results/mesh_answers.h"
+#include "plugin/pictures/results/meshes.h"
 #include "plugin/reports/text/number_text.h"
 
 namespace blossom::cli {
@@ -36,13 +37,6 @@ constexpr double kFirstDeviation = 1e-3;  // of the size
 constexpr double kFiner = 0.2;
 constexpr std::size_t kNamedPairs = 10;
 constexpr int kDeepRounds = 3;  // of finer triangles, as long as some cross
-
-std::vector<Vec3> ring_of(const FileMesh& mesh, int triangle) {
-  std::vector<Vec3> ring;
-  for (const std::size_t k : {0u, 1u, 2u, 0u})
-    ring.push_back(mesh.points[index(mesh.triangles[index(triangle)][k])]);
-  return ring;
-}
 
 DeepCheck deep_answer(const FileMesh& mesh, const meshes::JudgedMesh& found, double distance,
                       const meshes::Crossings& crossings, const FaceLabels& labels) {
@@ -72,31 +66,6 @@ DeepCheck deep_answer(const FileMesh& mesh, const meshes::JudgedMesh& found, dou
          << " of triangles of different parts that cross, which clash looks at\n";
   check.text = text.str();
   return check;
-}
-
-Picture mesh_picture(const std::string& input, const FileMesh& mesh, const std::string& subtitle) {
-  Picture picture;
-  picture.title = short_name(input);
-  picture.subtitle = subtitle;
-  picture.groups = mesh_faces(mesh, picture.title, kFirstColour, kFirstOpacity);
-  picture.layers = faulty_side_layers(mesh);
-  return picture;
-}
-
-Picture check_picture(const std::string& input, const FileMesh& mesh,
-                      const meshes::JudgedMesh& found) {
-  Picture picture = mesh_picture(input, mesh, found.sound() ? "sound" : "not sound");
-  PictureLayer crossing{"triangle that crosses another", kCurveColour};
-  for (const std::array<int, 2>& pair : found.crossing_pairs)
-    for (const std::size_t k : {0u, 1u})
-      crossing.items.push_back({ring_of(mesh, pair[k]), "triangle " + std::to_string(pair[k] + 1) +
-                                                            " crosses triangle " +
-                                                            std::to_string(pair[1 - k] + 1)});
-  picture.layers.push_back(std::move(crossing));
-  if (found.crossings > found.crossing_pairs.size())
-    picture.facts.push_back("shown are the first " + std::to_string(found.crossing_pairs.size()) +
-                            " of " + counted(found.crossings, "pair") + " of triangles that cross");
-  return picture;
 }
 
 std::string distance_text(const meshes::MeshDistance& found) {
@@ -145,8 +114,9 @@ int run_mesh_info(const std::string& input, bool groups, const CommonOptions& co
   const FileMesh mesh = read_mesh_input(input);
   stop_if_interrupted();
   const MeshFacts facts = meshes::facts_of(mesh, stop_if_interrupted);
-  const std::vector<PictureFile> pictures = picture_files(
-      common, [&] { return mesh_picture(input, mesh, meshes::enclosed_text(facts)); });
+  const std::vector<PictureFile> pictures = picture_files(common, [&] {
+    return pictures::mesh_picture(input, mesh, meshes::enclosed_text(facts), stop_if_interrupted);
+  });
   stop_if_interrupted();
   write_pictures(pictures);
   if (!common.json.empty()) write_json(meshes::mesh_info_report(input, mesh, facts), common.json);
@@ -161,8 +131,9 @@ int run_mesh_check(const std::string& input, const CommonOptions& common) {
   stop_if_interrupted();
   const auto found = meshes::judged_mesh(mesh, stop_if_interrupted);
   if (!found) throw UsageError("check of triangles needs CGAL, which this program lacks");
-  const std::vector<PictureFile> pictures =
-      picture_files(common, [&] { return check_picture(input, mesh, *found); });
+  const std::vector<PictureFile> pictures = picture_files(common, [&] {
+    return pictures::mesh_check_picture(input, mesh, *found, stop_if_interrupted);
+  });
   stop_if_interrupted();
   write_pictures(pictures);
   if (!common.json.empty()) write_json(meshes::mesh_check_report(input, mesh, *found), common.json);

@@ -12,7 +12,6 @@
 
 #include "core/base/work_limit.h"
 #include "plugin/cli/arguments/values.h"
-#include "plugin/cli/commands/meshes/mesh_picture.h"
 #include "plugin/cli/commands/meshes/meshed_input.h"
 #include "plugin/cli/commands/query/query_parts.h"
 #include "plugin/cli/exit_code.h"
@@ -23,6 +22,7 @@
 #include "plugin/drawings/section_drawing.h"
 #include "plugin/meshes/mesh_curves.h"
 #include "plugin/meshes/mesh_judge.h"
+#include "plugin/pictures/results/mesh_answers.h"
 #include "plugin/reports/queries/plane_cuts.h"
 
 namespace blossom::cli {
@@ -47,21 +47,6 @@ void write_curves(const SectionsAnswer& answer, const std::string& file) {
 
 // ---- what is told
 
-std::string counts_text(const MeshCurves& found) {
-  std::size_t closed = 0;
-  double length = 0;
-  for (const MeshPolyline& curve : found.curves) {
-    closed += curve.closed;
-    length += curve.length;
-  }
-  std::string text = counted(found.curves.size(), "polyline");
-  if (closed < found.curves.size())
-    text += " (" + std::to_string(found.curves.size() - closed) + " open)";
-  if (!found.curves.empty()) text += " of length " + number_text(rounded(length));
-  if (!found.points.empty()) text += ", " + counted(found.points.size(), "point");
-  return text;
-}
-
 // moved      whose motion decides where they touch
 // in_plane   what there may be several of
 std::string notes_text(const MeshCurves& found, const char* moved, const char* in_plane) {
@@ -79,46 +64,6 @@ std::string notes_text(const MeshCurves& found, const char* moved, const char* i
 void refuse_options_of_models(const CommonOptions& common) {
   refuse_options(common, {"--tolerance", "--form", "--budget", "--joined", "--repeat"},
                  "triangles are compared exactly");
-}
-
-PictureLayer curve_layer(const std::vector<MeshPolyline>& curves, const std::string& name) {
-  PictureLayer layer{name, kCurveColour};
-  for (const MeshPolyline& curve : curves)
-    layer.items.push_back({curve.points, name + "\n" + (curve.closed ? "closed" : "open") +
-                                             ", length " + number_text(rounded(curve.length))});
-  return layer;
-}
-
-PictureLayer point_layer(const std::vector<Vec3>& points) {
-  PictureLayer layer{"point in common", kTouchColour, LayerStyle::Dot};
-  for (const Vec3& point : points) layer.items.push_back({{point}, layer.name});
-  return layer;
-}
-
-Picture pair_picture(const MeshPair& pair, const std::array<const MeshSource*, 2>& inputs) {
-  Picture picture;
-  picture.title = short_name(pair.a) + " x " + short_name(pair.b);
-  picture.subtitle = to_string(pair.status()) + std::string(", ") + counts_text(pair.found);
-  for (const std::size_t k : {0u, 1u})
-    for (PictureFaces& group :
-         mesh_faces(inputs[k]->mesh(), short_name(inputs[k]->name()),
-                    k == 0 ? kFirstColour : kSecondColour, k == 0 ? kFirstOpacity : kSecondOpacity))
-      picture.groups.push_back(std::move(group));
-  picture.layers = {curve_layer(pair.found.curves, "intersection"), point_layer(pair.found.points)};
-  return picture;
-}
-
-Picture sections_picture(const std::string& input, const meshes::FileMesh& mesh,
-                         const std::vector<PlaneOfMesh>& planes) {
-  Picture picture;
-  picture.title = short_name(input);
-  picture.subtitle = counted(planes.size(), "plane");
-  picture.groups = mesh_faces(mesh, picture.title, kFirstColour, kSecondOpacity);
-  for (const PlaneOfMesh& plane : planes) {
-    picture.layers.push_back(curve_layer(plane.found.curves, plane.name));
-    picture.layers.push_back(point_layer(plane.found.points));
-  }
-  return picture;
 }
 
 void mesh_model(MeshSource& input) {
@@ -139,7 +84,7 @@ MeshCurves with_cgal(std::optional<MeshCurves> found) {
 std::string text_of(const MeshPair& pair, const std::array<const MeshSource*, 2>& inputs) {
   std::ostringstream text;
   text << pair.a << " x " << pair.b << ": " << to_string(pair.status()) << ", "
-       << counts_text(pair.found) << ", " << seconds_text(pair.seconds) << "\n";
+       << meshes::counted_curves(pair.found) << ", " << seconds_text(pair.seconds) << "\n";
   for (const MeshSource* const input : inputs) {
     if (input->distance() > 0)
       text << "  " << input->name() << " is meshed within "
@@ -158,7 +103,7 @@ std::string text_of(const std::string& input, const SectionsAnswer& answer,
        << ", " << seconds_text(answer.seconds) << "\n";
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const std::optional<double> area = occt::bounded_area(answer.planes[i].parts.front().section);
-    text << "  " << planes[i].name << ": " << counts_text(planes[i].found);
+    text << "  " << planes[i].name << ": " << meshes::counted_curves(planes[i].found);
     if (area && *area > 0) text << ", area " << number_text(rounded(*area));
     text << "\n" << notes_text(planes[i].found, "plane", "triangles lie in the plane");
   }
@@ -180,7 +125,7 @@ int run_mesh_intersection(const std::string& a, const std::string& b, const Comm
       with_cgal(meshes::curves_of_meshes(first.mesh(), second.mesh(), stop_if_interrupted));
   pair.seconds = watch.seconds();
   const std::vector<PictureFile> pictures = picture_files(common, [&] {
-    return pair_picture(pair, {&first, &second});
+    return pictures::mesh_pair_picture(pair, {&first, &second}, stop_if_interrupted);
   });
   stop_if_interrupted();
   write_pictures(pictures);
@@ -210,14 +155,16 @@ int run_mesh_sections(const std::string& input, const std::vector<NamedPlane>& p
     cut.found = with_cgal(meshes::curves_in_plane(mesh, plane.plane, stop_if_interrupted));
     const bool solid =
         !cut.found.curves.empty() && std::ranges::all_of(cut.found.curves, &MeshPolyline::closed);
-    reports::PartSection part{short_name(input), solid, {0}, meshes::section_of(cut.found)};
+    reports::PartSection part{
+        reports::short_name(input), solid, {0}, meshes::section_of(cut.found)};
     occt::orient_wires(part.section, plane.plane);
     answer.status = weaker(answer.status, part.section.status);
     answer.planes.push_back({plane, {std::move(part)}});
   }
   answer.seconds = watch.seconds();
-  const std::vector<PictureFile> pictures =
-      picture_files(common, [&] { return sections_picture(input, mesh, cuts); });
+  const std::vector<PictureFile> pictures = picture_files(common, [&] {
+    return pictures::mesh_sections_picture(input, mesh, cuts, stop_if_interrupted);
+  });
   stop_if_interrupted();
   write_pictures(pictures);
   const Json report = meshes::mesh_sections_report(input, answer.status, cuts, answer.seconds);

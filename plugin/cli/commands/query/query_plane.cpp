@@ -24,6 +24,7 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
+#include "plugin/pictures/results/sections.h"
 #include "plugin/reports/models/edges.h"
 #include "plugin/reports/queries/plane_cuts.h"
 #include "plugin/reports/queries/section.h"
@@ -103,29 +104,14 @@ std::string text_of(const Input& input, const Answer& answer) {
   return text.str();
 }
 
-Picture picture_of(const Input& input, const occt::PlaneSection& section) {
-  Picture picture;
-  picture.title = "section of " + short_name(input.name);
-  picture.subtitle =
-      std::string(to_string(stated(section.status))) + ": " + counted(section.wires.size(), "wire");
-  picture.groups = {{input.faces, kFirstColour, kFirstOpacity, short_name(input.name)}};
-  PictureLayer curves{"section", kCurveColour};
-  PictureLayer points{"isolated point", kCurveColour, LayerStyle::Dot};
-  for (const occt::SectionCurve& curve : section.curves) curves.items.push_back({curve.samples});
-  for (const std::size_t node : section.points)
-    points.items.push_back({{section.nodes[node].point}});
-  picture.layers = {std::move(curves), std::move(points)};
-  return picture;
-}
-
 void write_outputs(const Input& input, const PlaneCommand& options, const Answer& answer) {
   const occt::PlaneSection& section = answer.section;
   const CommonOptions& common = options.common;
   const bool any = !section.wires.empty() || !section.points.empty();
   const bool report = ending_of(common.output) == ".json";
   const bool shapes = !common.output.empty() && !report;
-  const std::vector<PictureFile> pictures =
-      picture_files(common, [&] { return picture_of(input, section); });
+  const std::vector<PictureFile> pictures = picture_files(
+      common, [&] { return pictures::section_picture(input, section, stated(section.status)); });
   stop_if_interrupted();
   if (shapes && any) write_parts(input, {answer.plane, "section"}, options.engine, common.output);
   const Json json = reports::section_report(input, answer.plane, options.engine.tolerance, section,

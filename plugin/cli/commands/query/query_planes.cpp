@@ -21,6 +21,7 @@
 #include "plugin/cli/process/interruption.h"
 #include "plugin/cli/process/progress.h"
 #include "plugin/drawings/section_drawing.h"
+#include "plugin/pictures/results/sections.h"
 #include "plugin/reports/models/edges.h"
 #include "plugin/reports/queries/plane_cuts.h"
 
@@ -89,26 +90,6 @@ std::string text_of(const Input& input, const SectionsAnswer& answer) {
        << counted(answer.planes.size(), "plane") << ", " << seconds_text(answer.seconds) << "\n";
   for (const SectionsOfPlane& plane : answer.planes) text << plane_line(plane);
   return text.str();
-}
-
-// A page tells of each curve and point in which plane and of which part it is.
-Picture picture_of(const Input& input, const SectionsAnswer& answer) {
-  Picture picture;
-  picture.title = "sections of " + short_name(input.name);
-  picture.subtitle = counted(answer.planes.size(), "plane");
-  picture.groups = {{input.faces, kFirstColour, kFirstOpacity, short_name(input.name)}};
-  PictureLayer curves{"section", kCurveColour};
-  PictureLayer points{"isolated point", kCurveColour, LayerStyle::Dot};
-  for (const SectionsOfPlane& plane : answer.planes)
-    for (const PartSection& part : plane.parts) {
-      const std::string label = plane.plane.name + "\n" + part.name;
-      for (const occt::SectionCurve& curve : part.section.curves)
-        curves.items.push_back({curve.samples, label});
-      for (const std::size_t node : part.section.points)
-        points.items.push_back({{part.section.nodes[node].point}, label});
-    }
-  picture.layers = {std::move(curves), std::move(points)};
-  return picture;
 }
 
 SectionsAnswer cut(const Input& input, const std::vector<NamedPlane>& planes,
@@ -213,7 +194,7 @@ int run_planes(const std::string& name, std::vector<NamedPlane> planes, const Co
   const SectionsAnswer answer = cut(input, planes, engine);
   stop_if_interrupted();
   const std::vector<PictureFile> pictures =
-      picture_files(common, [&] { return picture_of(input, answer); });
+      picture_files(common, [&] { return pictures::sections_picture(input, answer); });
   stop_if_interrupted();
   if (!common.output.empty()) write_result(input, answer, common.output);
   write_pictures(pictures);

@@ -20,7 +20,6 @@
 #include "plugin/cli/arguments/values.h"
 #include "plugin/cli/arguments/vectors.h"
 #include "plugin/cli/commands/commands.h"
-#include "plugin/cli/commands/trim/trim_picture.h"
 #include "plugin/cli/commands/trim/trim_solids.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/output.h"
@@ -33,6 +32,7 @@
 #include "plugin/cli/process/progress.h"
 #include "plugin/cli/process/supervision.h"
 #include "plugin/nets/net_json.h"
+#include "plugin/pictures/results/trim.h"
 #include "plugin/reports/cuts/trim.h"
 
 namespace blossom::cli {
@@ -122,8 +122,8 @@ std::string summary(const Inputs& inputs, const FaceLabels& labels, const TimedT
   const bool all = verbosity() == Verbosity::Verbose || pieces <= kFew;
   for (const occt::TrimPiece& piece : std::span(timed.made.pieces).first(all ? pieces : kFew))
     text << "  piece " << piece.number << " of " << labels.of(piece.face) << ": "
-         << side_text(piece.side) << ", area " << number_text(rounded(piece.area)) << " mm²"
-         << (piece.kept ? "" : ", left out") << "\n";
+         << reports::side_text(piece.side) << ", area " << number_text(rounded(piece.area))
+         << " mm²" << (piece.kept ? "" : ", left out") << "\n";
   if (!all) text << "  and " << pieces - kFew << " more pieces, which -v lists\n";
   for (const std::string& note : timed.made.notes) text << "  " << note << "\n";
   if (timed.made.status != Status::Complete)
@@ -158,8 +158,9 @@ int write_outputs(Inputs& inputs, TimedTrim& timed, const TrimCommand& options) 
   std::string reason = obstacle(inputs, timed, options);
   std::vector<const Input*> tools;
   for (const Input& tool : inputs.tools) tools.push_back(&tool);
-  const std::vector<PictureFile> pictures =
-      picture_files(options.common, [&] { return trim_picture(inputs.part, tools, timed.made); });
+  const std::vector<PictureFile> pictures = picture_files(options.common, [&] {
+    return pictures::trim_picture(inputs.part, tools, timed.made, stated(timed.made.status));
+  });
   const FaceLabels labels(inputs.part);
   const std::string others = other_parts_text(inputs.part, OtherParts::Kept);
   if (reason.empty()) inputs.part.model.replace_faces(timed.made.replacements);

@@ -21,7 +21,6 @@
 #include "core/base/parallel.h"
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/values.h"
-#include "plugin/cli/commands/trim/trim_picture.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output/output.h"
 #include "plugin/cli/output/reading.h"
@@ -33,6 +32,7 @@
 #include "plugin/cli/process/progress.h"
 #include "plugin/cli/process/supervision.h"
 #include "plugin/nets/net_json.h"
+#include "plugin/pictures/results/trim.h"
 #include "plugin/reports/cuts/solids.h"
 #include "plugin/reports/cuts/trim.h"
 #include "plugin/reports/models/repairs.h"
@@ -224,13 +224,6 @@ void replace_shapes(occt::Model& part, const occt::SolidTrimResult& made, const 
       solids, occt::keeps_names(output) ? occt::CommonFaces::Copy : occt::CommonFaces::Keep);
 }
 
-std::string title_of(const SolidTrim& options) {
-  std::string title = options.operation + " of " + short_name(options.part);
-  for (const std::string& tool : options.tools) title += ", " + short_name(tool);
-  for (std::size_t i = 0; i < options.planes.size(); ++i) title += ", " + reports::plane_name(i);
-  return title;
-}
-
 bool wants_shape(const CommonOptions& outputs) {
   return !outputs.output.empty() || !picture_names(outputs).empty();
 }
@@ -290,8 +283,7 @@ int trim_solids(const SolidTrim& options) {
   timed.repairs = repairs;
   std::vector<PictureFile> pictures;
   if (reason.empty())
-    pictures =
-        picture_files(outputs, [&] { return solids_picture(title_of(options), timed.made); });
+    pictures = picture_files(outputs, [&] { return pictures::solids_picture(timed); });
   if (write && nets::is_net_file(outputs.output)) {
     write_plain_json(nets::nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
   } else if (write) {
