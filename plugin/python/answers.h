@@ -4,8 +4,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <pybind11/pybind11.h>
@@ -18,6 +20,7 @@
 #include "plugin/meshes/mesh_files.h"
 #include "plugin/nets/pieces.h"
 #include "plugin/nets/whole_parts.h"
+#include "plugin/pictures/scene/picture.h"
 #include "plugin/python/control.h"
 #include "plugin/python/loaded_model.h"
 #include "plugin/reports/blends/fillet.h"
@@ -35,7 +38,39 @@ struct Answer {
   std::function<pybind11::dict()> records;
   /// Writes a drawing, .dxf or .svg; none if the answer is no section.
   std::function<void(const std::string& file, const Control& control)> draw{};
+  /// What there is to see of it, in the turns of its models; none if that is its shape alone.
+  std::function<pictures::Picture(const Watch& watch)> picture{};
 };
+
+/// How an answer is shown.
+struct Look {
+  std::string form;  ///< "png", "html" or "glb"
+  std::string view;  ///< as pictures::view_direction takes it; empty for the usual one
+  int width = 0;     ///< pixels
+  int height = 0;
+  bool zebra = false;  ///< stripes on the faces
+};
+
+/// Writes the picture of an answer that has one.
+/// returns   what is to be said of it
+/// throws    InvalidInput if the view or the size is none
+std::vector<std::string> show(const Answer& answer, const std::string& file, const Look& look,
+                              const Control& control);
+
+/// A picture that `make()` makes in the turns of models. What it holds outlives them: see
+/// kept_input.
+template <class Make>
+auto in_turns(std::vector<SharedModel> models, Make make) {
+  return [models = std::move(models), make = std::move(make)](const Watch& watch) {
+    const Turns turns = turns_of(models, watch);
+    return pictures::Picture(make());
+  };
+}
+
+/// An input as a question has seen it, whatever others make of the model.
+inline std::shared_ptr<const reports::Input> kept_input(const reports::Input& input) {
+  return std::make_shared<const reports::Input>(input);
+}
 
 /// A report as `--json` gives it: with what reading these models lost, and a status no better than
 /// that allows.

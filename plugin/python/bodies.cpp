@@ -15,6 +15,8 @@
 #include "adapters/occt/watertight.h"
 #include "core/base/errors.h"
 #include "core/base/work_limit.h"
+#include "plugin/pictures/results/blends.h"
+#include "plugin/pictures/results/trim.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
 #include "plugin/python/json.h"
@@ -30,17 +32,6 @@ using namespace py::literals;
 
 namespace blossom::python {
 namespace {
-
-using Turns = std::list<LoadedModel::Turn>;
-
-// The turns of all models, each once and in one order for everybody.
-Turns turns_of(std::vector<SharedModel> models, const Watch& watch) {
-  std::ranges::sort(models, std::less<>(), [](const SharedModel& m) { return m->turn_order(); });
-  Turns turns;
-  for (std::size_t i = 0; i < models.size(); ++i)
-    if (i == 0 || !models[i]->shares_turn(*models[i - 1])) turns.push_back(models[i]->turn(watch));
-  return turns;
-}
 
 std::vector<SharedModel> with_part(const SharedModel& part, std::vector<SharedModel> tools) {
   tools.insert(tools.begin(), part);
@@ -61,6 +52,22 @@ Answer made_answer(reports::Json report, SharedModel model) {
           .model = [model = std::move(model)] { return model; },
           .records = {}};
 }
+
+namespace {
+
+auto trim_picture(const std::vector<SharedModel>& models, const reports::Input& part,
+                  const std::vector<const reports::Input*>& tools, occt::TrimResult made) {
+  std::vector<std::shared_ptr<const reports::Input>> kept;
+  for (const reports::Input* const tool : tools) kept.push_back(kept_input(*tool));
+  return in_turns(models, [models, kept, own = kept_input(part),
+                           shown = std::make_shared<const occt::TrimResult>(std::move(made))] {
+    std::vector<const reports::Input*> others;
+    for (const auto& tool : kept) others.push_back(tool.get());
+    return pictures::trim_picture(*own, others, *shown, stated_status(shown->status, models));
+  });
+}
+
+}  // namespace
 
 Answer trim(const SharedModel& part, const std::vector<SharedModel>& tools,
             const std::vector<occt::Plane>& planes, const std::string& keep,
@@ -95,8 +102,10 @@ Answer trim(const SharedModel& part, const std::vector<SharedModel>& tools,
     watch.stop();
     occt::Model made = input.model.copy();
     made.replace_faces(answer.made.replacements);
-    return made_answer(with_reading(reports::trim_report(input, others, answer), models),
-                       made_model("trim", std::move(made)));
+    Answer told = made_answer(with_reading(reports::trim_report(input, others, answer), models),
+                              made_model("trim", std::move(made)));
+    told.picture = trim_picture(models, input, others, std::move(answer.made));
+    return told;
   });
 }
 
@@ -176,8 +185,12 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
     answer.seconds = watch.seconds() - start;
     reports::note_faces(answer);
     watch.stop();
-    return made_answer(with_reading(reports::solid_report(answer), models),
-                       made_model(operation, combined_model(answer.made, own, origins)));
+    SharedModel made = made_model(operation, combined_model(answer.made, own, origins));
+    const bool any = made != nullptr;
+    Answer told = made_answer(with_reading(reports::solid_report(answer), models), std::move(made));
+    const auto kept = std::make_shared<const reports::SolidAnswer>(std::move(answer));
+    if (any) told.picture = in_turns(models, [kept] { return pictures::solids_picture(*kept); });
+    return told;
   });
 }
 
@@ -252,8 +265,12 @@ Answer strip_between(const SharedModel& a, const SharedModel& b, const reports::
     const occt::FaceStrip strip = reports::strip_between(from, to, wishes);
     const double seconds = watch.seconds() - start;
     reports::Json report = reports::strip_report(from, to, wishes, strip, seconds);
-    return made_answer(with_reading(std::move(report), {a, b}),
-                       std::make_shared<LoadedModel>("strip", strip.face));
+    Answer told = made_answer(with_reading(std::move(report), {a, b}),
+                              std::make_shared<LoadedModel>("strip", strip.face));
+    told.picture = in_turns({a, b}, [strip, own = kept_input(from), other = kept_input(to)] {
+      return pictures::strip_picture(*own, *other, strip);
+    });
+    return told;
   });
 }
 

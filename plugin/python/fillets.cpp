@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rounding edges of solids, and cutting them off.
 
+#include <memory>
 #include <utility>
 
 #include "adapters/occt/base/errors.h"
+#include "plugin/pictures/results/blends.h"
 #include "plugin/python/answers.h"
 #include "plugin/reports/blends/fillet.h"
 #include "plugin/reports/models/selection.h"
@@ -34,8 +36,15 @@ Answer blend_edges(const SharedModel& part, const reports::EdgeWish& wish,
       reports::put_fillets(copy, answer);
       made = std::make_shared<LoadedModel>(kind, std::move(copy), reports::Repairing::None);
     }
-    return made_answer(with_reading(reports::fillet_report(input, answer), {part}),
-                       std::move(made));
+    const bool any = made != nullptr;
+    Answer told =
+        made_answer(with_reading(reports::fillet_report(input, answer), {part}), std::move(made));
+    const auto kept = std::make_shared<const reports::FilletAnswer>(std::move(answer));
+    if (any)
+      told.picture = in_turns({part}, [kept, own = kept_input(input)] {
+        return pictures::fillet_picture(*own, *kept);
+      });
+    return told;
   });
 }
 

@@ -2,11 +2,13 @@
 // Filling holes.
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
+#include "plugin/pictures/results/blends.h"
 #include "plugin/python/answers.h"
 #include "plugin/reports/blends/fill.h"
 
@@ -41,13 +43,18 @@ Answer fill(const SharedModel& model, const FillWish& wish, const Control& contr
     model->faces(watch);
     const reports::Input& input = model->repaired_input(watch);
     const auto step = [&watch] { watch.stop(); };
-    const reports::FillAnswer made = reports::fill_holes(input, wishes, step);
+    const auto kept =
+        std::make_shared<const reports::FillAnswer>(reports::fill_holes(input, wishes, step));
+    const reports::FillAnswer& made = *kept;
     const double tolerance = control.engine.tolerances.point;
     occt::Model filled = wish.sew ? reports::filled_model(input, made, tolerance, step)
                                   : reports::fills_alone(made, tolerance);
-    return made_answer(
+    Answer answer = made_answer(
         with_reading(reports::fill_report(input, made), {model}),
         std::make_shared<LoadedModel>("fill", std::move(filled), reports::Repairing::None));
+    answer.picture = in_turns(
+        {model}, [kept, own = kept_input(input)] { return pictures::fill_picture(*own, *kept); });
+    return answer;
   });
 }
 

@@ -9,6 +9,7 @@
 #include "plugin/nets/net_json.h"
 #include "plugin/nets/net_models.h"
 #include "plugin/nets/subdivision.h"
+#include "plugin/pictures/results/subdivisions.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/json.h"
 #include "plugin/reports/models/repairs.h"
@@ -69,7 +70,12 @@ Answer subdivide(const SharedModel& model, const nets::Cut& wanted, const Contro
               : nets::nets_of_faces(input, cut.stop);
     nets::Subdivision made = nets::subdivided(input.name, nets, cut);
     Json report = nets::subdivision_report(made, repairs_of(input));
-    return nets_answer(model, std::move(report), std::move(made.pieces), "subdivision");
+    const auto kept = std::make_shared<const std::vector<nets::Net>>(made.pieces);
+    Answer answer = nets_answer(model, std::move(report), std::move(made.pieces), "subdivision");
+    answer.picture = [kept, name = input.name, count = nets.size()](const Watch& looking) {
+      return pictures::subdivision_picture(name, *kept, count, stop_of(looking));
+    };
+    return answer;
   });
 }
 
@@ -87,9 +93,13 @@ Answer subdivide_whole(const SharedModel& model, const nets::WholeCut& wanted,
     const bool edges = parts.front().source.face == 0;
     occt::Model made = edges ? nets::model_of_whole_edges(parts) : input.model.copy();
     if (!edges) nets::put_whole_faces(made, parts);
-    return made_answer(
+    Answer answer = made_answer(
         with_reading(nets::whole_report(input, cut, parts, seconds), {model}),
         std::make_shared<LoadedModel>("subdivision", std::move(made), reports::Repairing::None));
+    answer.picture = [parts, name = input.name](const Watch&) {
+      return pictures::whole_picture(name, parts);
+    };
+    return answer;
   });
 }
 

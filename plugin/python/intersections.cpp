@@ -8,6 +8,7 @@
 #include "adapters/occt/convert/border_numbers.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
+#include "plugin/pictures/results/intersection.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
 #include "plugin/python/json.h"
@@ -174,12 +175,16 @@ const occt::JoinedIntersection& joined_of(const Found& found) {
   return *found.joined;
 }
 
+// Likewise.
+reports::IntersectionFindings findings_of(const Found& found) {
+  return {found.a->input(), found.b->input(), found.intersection, joined_of(found), found.edges};
+}
+
 reports::Json report_of(const Found& found) {
   const Watch watch;
   const BothTurns turns(*found.a, *found.b, watch);
   const reports::RunTimes times{found.seconds, found.seconds};
-  const reports::IntersectionFindings findings{found.a->input(), found.b->input(),
-                                               found.intersection, joined_of(found), found.edges};
+  const reports::IntersectionFindings findings = findings_of(found);
   return found.itself ? reports::self_intersection_report(findings, times)
                       : reports::intersection_report(findings, times);
 }
@@ -201,7 +206,11 @@ Answer answer_of(SharedFound found) {
                 records["status"] = to_string(stated_status(found->intersection.status, both));
                 records["seconds"] = found->seconds;
                 return records;
-              }};
+              },
+          .picture = in_turns({found->a, found->b}, [found] {
+            const Status status = stated_status(found->intersection.status, {found->a, found->b});
+            return pictures::intersection_picture(findings_of(*found), status);
+          })};
 }
 
 template <class Work>

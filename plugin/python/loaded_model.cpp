@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/python/loaded_model.h"
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <set>
@@ -173,6 +174,14 @@ BothTurns::BothTurns(LoadedModel& a, LoadedModel& b, const Watch& watch) {
   LoadedModel* const upper = lower == &a ? &b : &a;
   first = lower->turn(watch);
   if (!lower->shares_turn(*upper)) second = upper->turn(watch);
+}
+
+Turns turns_of(std::vector<SharedModel> models, const Watch& watch) {
+  std::ranges::sort(models, std::less<>(), [](const SharedModel& m) { return m->turn_order(); });
+  Turns turns;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (i == 0 || !models[i]->shares_turn(*models[i - 1])) turns.push_back(models[i]->turn(watch));
+  return turns;
 }
 
 }  // namespace blossom::python

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -118,5 +119,10 @@ struct BothTurns {
   BothTurns(LoadedModel& a, LoadedModel& b, const Watch& watch);
   LoadedModel::Turn first, second;
 };
+
+using Turns = std::list<LoadedModel::Turn>;
+
+/// The turns of all models, each once and in one order for everybody.
+Turns turns_of(std::vector<SharedModel> models, const Watch& watch);
 
 }  // namespace blossom::python

@@ -26,6 +26,8 @@
 #include "plugin/meshes/mesh_judge.h"
 #include "plugin/meshes/mesh_parts.h"
 #include "plugin/nets/smooth_patches.h"
+#include "plugin/pictures/results/mesh_answers.h"
+#include "plugin/pictures/results/meshes.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
 #include "plugin/reports/models/measured_input.h"
@@ -129,7 +131,11 @@ std::vector<SharedModel> models_of(const MeshOrModel& of) {
 Answer facts(const SharedMesh& mesh, const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     const MeshFacts found = meshes::facts_of(mesh->mesh, [&watch] { watch.stop(); });
-    return made_answer(meshes::mesh_info_report(mesh->name, mesh->mesh, found), nullptr);
+    Answer answer = made_answer(meshes::mesh_info_report(mesh->name, mesh->mesh, found), nullptr);
+    answer.picture = [mesh, text = meshes::enclosed_text(found)](const Watch& looking) {
+      return pictures::mesh_picture(mesh->name, mesh->mesh, text, [&looking] { looking.stop(); });
+    };
+    return answer;
   });
 }
 
@@ -137,7 +143,12 @@ Answer judged(const SharedMesh& mesh, const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     const meshes::JudgedMesh found =
         with_cgal(meshes::judged_mesh(mesh->mesh, [&watch] { watch.stop(); }));
-    return made_answer(meshes::mesh_check_report(mesh->name, mesh->mesh, found), nullptr);
+    Answer answer = made_answer(meshes::mesh_check_report(mesh->name, mesh->mesh, found), nullptr);
+    answer.picture = [mesh, found](const Watch& looking) {
+      return pictures::mesh_check_picture(mesh->name, mesh->mesh, found,
+                                          [&looking] { looking.stop(); });
+    };
+    return answer;
   });
 }
 
@@ -190,8 +201,16 @@ Answer met(const SharedMesh& a, const MeshOrModel& b, const Control& control) {
     pair.found =
         with_cgal(meshes::curves_of_meshes(a->mesh, second.mesh(), [&watch] { watch.stop(); }));
     pair.seconds = watch.seconds() - start;
-    return answer_of_curves(with_reading(meshes::mesh_pair_report(pair), models_of(b)),
-                            {pair.found}, "intersection");
+    Answer answer = answer_of_curves(with_reading(meshes::mesh_pair_report(pair), models_of(b)),
+                                     {pair.found}, "intersection");
+    answer.picture = [a, pair,
+                      other = std::make_shared<const meshes::MeshSource>(std::move(second))](
+                         const Watch& looking) {
+      const meshes::MeshSource first(a->name, a->mesh);
+      return pictures::mesh_pair_picture(pair, {&first, other.get()},
+                                         [&looking] { looking.stop(); });
+    };
+    return answer;
   });
 }
 
@@ -212,10 +231,15 @@ Answer cut_mesh(const SharedMesh& mesh, const std::vector<MeshPlaneWords>& plane
       touching = touching || one.found.touching;
       found.push_back(one.found);
     }
-    return answer_of_curves(
+    Answer answer = answer_of_curves(
         meshes::mesh_sections_report(mesh->name, touching ? Status::Tolerance : Status::Complete,
                                      cuts, watch.seconds()),
         std::move(found), "section");
+    answer.picture = [mesh, cuts](const Watch& looking) {
+      return pictures::mesh_sections_picture(mesh->name, mesh->mesh, cuts,
+                                             [&looking] { looking.stop(); });
+    };
+    return answer;
   });
 }
 

@@ -17,6 +17,7 @@
 #include "adapters/occt/tessellation/triangulated_faces.h"
 #include "core/base/work_limit.h"
 #include "plugin/meshes/shape_mesh.h"
+#include "plugin/pictures/results/meshes.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
 #include "plugin/reports/models/measured_input.h"
@@ -111,6 +112,11 @@ Answer mesh(const SharedModel& model, const FacetOptions& options, const Control
     report["repairs"] = reports::Json::array({reports::repairs_json(input)});
     Answer answer = made_answer(with_reading(std::move(report), {model}), nullptr);
     answer.records = [made, numbers = input.numbers] { return mesh_records(*made, numbers); };
+    answer.picture = [made, name = input.name](const Watch& looking) {
+      return pictures::mesh_picture(name, made->mesh,
+                                    reports::counted(made->mesh.triangles.size(), "triangle"),
+                                    [&looking] { looking.stop(); });
+    };
     return answer;
   });
 }

@@ -7,6 +7,8 @@
 #include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
 #include "core/base/unbounded.h"
+#include "plugin/pictures/results/continuity.h"
+#include "plugin/pictures/results/models.h"
 #include "plugin/python/answers.h"
 #include "plugin/reports/blends/continuity.h"
 #include "plugin/reports/models/edges.h"
@@ -121,7 +123,7 @@ Answer mass(const SharedModel& model, const Control& control) {
 }
 
 Answer check(const SharedModel& model, const Control& control) {
-  return told(interruptible(control, [&](const Watch& watch) {
+  return interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
     model->faces(watch);
     const reports::Input& input = model->repaired_input(watch);
@@ -130,24 +132,32 @@ Answer check(const SharedModel& model, const Control& control) {
     const occt::Soundness found = model->is_part()
                                       ? occt::soundness(input.model.shape(), input.numbers, checks)
                                       : occt::soundness(input.model.shape(), checks);
-    return with_reading(reports::soundness_report(input, found), {model});
-  }));
+    Answer answer = told(with_reading(reports::soundness_report(input, found), {model}));
+    answer.picture = in_turns({model}, [found, own = kept_input(input)] {
+      return pictures::soundness_picture(*own, found);
+    });
+    return answer;
+  });
 }
 
 Answer continuity(const SharedModel& model, const ContinuityTolerances& tolerances,
                   const std::string& require, const Control& control) {
-  return told(interruptible(control, [&](const Watch& watch) {
+  return interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
     model->faces(watch);
     const reports::Input& input = model->repaired_input(watch);
     const reports::ContinuityAnswer answer =
         reports::measured_continuity_of(input, tolerances, require, [&watch] { watch.stop(); });
-    return with_reading(reports::continuity_report(input, answer), {model});
-  }));
+    Answer made = told(with_reading(reports::continuity_report(input, answer), {model}));
+    made.picture = in_turns({model}, [answer, own = kept_input(input)] {
+      return pictures::continuity_picture(*own, answer);
+    });
+    return made;
+  });
 }
 
 Answer info(const SharedModel& model, bool edges, bool faces, const Control& control) {
-  return told(interruptible(control, [&](const Watch& watch) {
+  return interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
     const reports::Input& input = model->input();
     occt::KeptForms forms;
@@ -163,8 +173,11 @@ Answer info(const SharedModel& model, bool edges, bool faces, const Control& con
         std::erase_if(facts_of, [&](const auto& edge) { return !own.contains(edge.number); });
       report["edges"] = reports::edges_json(facts_of);
     }
-    return with_reading(std::move(report), {model});
-  }));
+    Answer answer = told(with_reading(std::move(report), {model}));
+    answer.picture = in_turns(
+        {model}, [facts, own = kept_input(input)] { return pictures::model_picture(*own, facts); });
+    return answer;
+  });
 }
 
 }  // namespace blossom::python

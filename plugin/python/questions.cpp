@@ -77,7 +77,16 @@ void add_answer_class(py::module_& module) {
           [](const Answer& a, const std::string& file, const Control& control) {
             a.draw(file, control);
           },
-          arg("file"), arg("control"));
+          arg("file"), arg("control"))
+      .def_property_readonly("has_picture", [](const Answer& a) { return bool(a.picture); })
+      .def(
+          "show",
+          [](const Answer& a, const std::string& file, const std::string& form,
+             const std::string& view, const std::pair<int, int>& size, bool zebra,
+             const Control& control) {
+            return show(a, file, {form, view, size.first, size.second, zebra}, control);
+          },
+          arg("file"), arg("form"), arg("view"), arg("size"), arg("zebra"), arg("control"));
 }
 
 void add_meetings(py::module_& module) {

@@ -12,6 +12,7 @@
 #include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
 #include "plugin/drawings/section_drawing.h"
+#include "plugin/pictures/results/sections.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
 #include "plugin/reports/models/edges.h"
@@ -119,7 +120,11 @@ Answer section(const SharedModel& model, const Vec3& point, const Vec3& normal,
                 return py::dict("splines"_a = splines);
               },
           .draw = [cut](const std::string& file,
-                        const Control& wanted) { draw_cut(*cut, file, wanted); }};
+                        const Control& wanted) { draw_cut(*cut, file, wanted); },
+          .picture = in_turns({cut->model}, [cut] {
+            return pictures::section_picture(cut->model->input(), cut->section,
+                                             stated_status(cut->section.status, {cut->model}));
+          })};
 }
 
 Answer sections(const SharedModel& model, const std::vector<reports::NamedPlane>& planes,
@@ -150,7 +155,10 @@ Answer sections(const SharedModel& model, const std::vector<reports::NamedPlane>
                 return py::dict("splines"_a = splines);
               },
           .draw = [cuts](const std::string& file,
-                         const Control& wanted) { draw_cuts(*cuts, file, wanted); }};
+                         const Control& wanted) { draw_cuts(*cuts, file, wanted); },
+          .picture = in_turns({cuts->model}, [cuts] {
+            return pictures::sections_picture(cuts->model->input(), cuts->answer);
+          })};
 }
 
 }  // namespace blossom::python

@@ -8,6 +8,7 @@
     found.status                                 # "complete": nothing is missing
     found.curves[0].points                       # (n, 3) array
     Part.show(found.to_part())
+    found.to_html("found.html")                  # also to_png, to_glb; of models and meshes, too
 
 Shapes are
     names of files             str or Path

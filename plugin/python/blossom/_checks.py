@@ -373,6 +373,21 @@ def is_of_drawings(file: str) -> bool:
     return file.lower().endswith(_OF_DRAWINGS)
 
 
+def view(value: Any, name: str) -> str:
+    """Where a picture is seen from: a word, or the direction to the eye; empty for None."""
+    if value is None or isinstance(value, str):
+        return value or ""
+    return ",".join(map(repr, vector(value, name)))
+
+
+def size(value: Any, name: str) -> Tuple[int, int]:
+    """Width and height in pixels."""
+    parts = members(value, name, "a width and a height are")
+    if len(parts) != 2:
+        raise ValueError(f"{name}: a width and a height are wanted, got {len(parts)} numbers")
+    return (whole(parts[0], name, 1), whole(parts[1], name, 1))
+
+
 def facets(
     deviation: Any, turn: Any, edge_length: Any, aspect: Any
 ) -> Tuple[float, float, float, float]:

@@ -5,7 +5,7 @@ import json
 import os
 import re
 import shutil
-from typing import Any, Callable, Dict, List, NoReturn, Optional, Sequence
+from typing import Any, Callable, Dict, List, NoReturn, Optional, Sequence, Tuple
 
 from . import _engine, _program_records
 from ._process import Control, Error, Folder, told
@@ -185,12 +185,12 @@ class Answer:
         self._change = change or self._change
         self._report = self._run(shape)
 
-    def _run(self, shape: str) -> str:
-        output = []
+    def _run(self, shape: str, more: Sequence[str] = ()) -> str:
+        output = list(more)
         if shape:
             made = shape if os.sep in shape else self._folder.file(f"{self._name}.{shape}")
             self._files[shape] = made
-            output = ["-o", made]
+            output += ["-o", made]
         names = {file: name for model in self._models for file, name in model.names.items()}
         text = told([*self._command, *output], names, self._folder, self._control)
         for file, called in names.items():
@@ -235,6 +235,33 @@ class Answer:
     def records(self) -> Dict[str, Any]:
         return _program_records.of(self._command, self.report(True), self.made)
 
+    @property
+    def has_picture(self) -> bool:
+        return self._command[0] in _DRAWN or self._command[:2] == ["query", "plane"]
+
+    def show(
+        self,
+        file: str,
+        form: str,
+        view: str,
+        size: Tuple[int, int],
+        zebra: bool,
+        control: Control,
+    ) -> List[str]:
+        """By the same command once more. What is to be said of the picture is a warning by then."""
+        made = self._folder.file(f"seen.{form}")
+        if os.path.exists(made):
+            os.remove(made)
+        option = "--picture" if form == "png" else f"--{form}"
+        options = [option, made, f"--size={size[0]}x{size[1]}"]
+        options += [f"--view={view}"] if view else []
+        self._control = control
+        self._run("", options + (["--zebra"] if zebra else []))
+        if not os.path.exists(made):
+            raise Error(f"{file}: there is nothing to see in this answer")
+        shutil.copyfile(made, file)
+        return []
+
     def draw(self, file: str, control: Control) -> None:
         self._control = control
         made = self.made(os.path.splitext(file)[1].lower().lstrip("."))
@@ -243,6 +270,8 @@ class Answer:
         shutil.copyfile(made, file)
 
 
+# Commands whose answers are shown.
+_DRAWN = ("intersect", "self-intersect", "trim", "subdivide", "info", "check", "clash", "blend")
 # What commands take of the options that all questions have in common.
 _ALL = ("tolerance", "budget", "threads")
 _TAKEN = {

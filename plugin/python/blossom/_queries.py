@@ -6,6 +6,7 @@ from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
+from . import _checks, _pictures
 from ._results import Array, Record, Report, Result, counted
 
 
@@ -235,6 +236,35 @@ class Continuity(Untimed):
         counts = self.counts
         classes = [f"{counts[word]} {word}" for word in ("apart", "G0", "G1", "G2") if counts[word]]
         return f"{counted(len(self), 'edge')}: {', '.join(classes) or 'none between faces'}"
+
+
+    def to_html(
+        self,
+        path: _pictures.FileName,
+        *,
+        view: _pictures.View = None,
+        zebra: bool = False,
+        **options: Any,
+    ) -> None:
+        """As of all answers; see `to_png`."""
+        stripes = _checks.flag(zebra, "zebra")
+        self._show(path, (".html", ".htm"), view, _pictures.SIZE, stripes, options)
+
+    def to_png(
+        self,
+        path: _pictures.FileName,
+        *,
+        view: _pictures.View = None,
+        size: Tuple[int, int] = _pictures.SIZE,
+        zebra: bool = False,
+        **options: Any,
+    ) -> None:
+        """As of all answers.
+
+        zebra   with stripes on the faces, as they would reflect rows of lamps; they break off, bend
+                or go on where faces are G0, G1 or G2
+        """
+        self._show(path, (".png",), view, size, _checks.flag(zebra, "zebra"), options)
 
 
 class Check(Untimed):

@@ -21,7 +21,7 @@ from typing import (
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _checks, _core, _engine, _shapes
+from . import _checks, _core, _engine, _pictures, _shapes
 
 if TYPE_CHECKING:
     from ._model import Model
@@ -31,7 +31,7 @@ Indices = NDArray[np.int32]
 Report = Dict[str, Any]
 
 
-class MadeShape:
+class MadeShape(_pictures.Shown):
     """Something that has a shape to give away."""
 
     def _core_model(self) -> _core.Model:
@@ -47,6 +47,9 @@ class MadeShape:
     def _passed_model(self) -> _core.Model:
         """What goes to other programs in memory."""
         return self._core_model()
+
+    def _seen(self, control: _core.Control) -> _core.Answer:
+        return _core.info(self._core_model(), False, True, control)
 
     def to_brep(self) -> bytes:
         """The shape as BRep text; where nothing was found, that of an empty compound."""
@@ -144,6 +147,12 @@ class Result(MadeShape):
                 f"{type(self).__name__}: there is no shape in this answer ({self._summary()})"
             )
         return model
+
+    def _seen(self, control: _core.Control) -> _core.Answer:
+        """The answer itself; its shape, of answers that say nothing more by a picture."""
+        if self._answer is None:
+            raise _core.Error("pictures are made of answers that were not pickled")
+        return self._answer if self._answer.has_picture else super()._seen(control)
 
     def _has_found_nothing(self) -> bool:
         """Whether it is the answer, and not the lack of one, that there is no shape."""

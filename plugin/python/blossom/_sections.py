@@ -88,6 +88,21 @@ class Drawable(Result):
         self._answer.draw(file, control)
 
 
+    def to_dxf(self, path: Union[str, "os.PathLike[str]"], **options: Any) -> None:
+        """Writes the wires to a drawing; see `write`."""
+        self._draw(path, ".dxf", options)
+
+    def to_svg(self, path: Union[str, "os.PathLike[str]"], **options: Any) -> None:
+        """Writes the wires to a drawing, in which solids are hatched; see `write`."""
+        self._draw(path, ".svg", options)
+
+    def _draw(self, path: Any, ending: str, options: Dict[str, Any]) -> None:
+        file = _checks.path(path, "path")
+        if not file.lower().endswith(ending):
+            raise ValueError(f"path: {file} does not end with {ending}")
+        self.write(file, **options)
+
+
 class Section(Drawable):
     """The section of a model with a plane; a list of wires."""
 

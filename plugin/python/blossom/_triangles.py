@@ -7,13 +7,13 @@ from typing import Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
-from . import _checks, _core, _shapes
+from . import _checks, _core, _pictures, _shapes
 from ._forms import NetResult
 from ._results import Array, Indices, Result, counted
 
 Colour = Tuple[int, int, int]
 
-CREASE = math.radians(40)  # kUsualCrease in plugin/cli/commands/meshes/mesh_picture.h
+CREASE = math.radians(40)  # kUsualCrease in plugin/pictures/results/meshes.h
 
 
 class MeshCheck(Result):
@@ -182,7 +182,7 @@ class MeshPatches(NetResult):
         return f"{len(self)} patches of {counted(self._told()['triangles'], 'triangle')}"
 
 
-class Triangles:
+class Triangles(_pictures.Shown):
     """A mesh of triangles; made by `blossom.from_mesh`."""
 
     def __init__(self, core: _core.Triangles, report: Optional[Dict[str, Any]] = None) -> None:
@@ -231,6 +231,9 @@ class Triangles:
     def filling(self) -> Optional[Dict[str, Any]]:
         """The report of `fill`, of a mesh that it made."""
         return self._report
+
+    def _seen(self, control: _core.Control) -> _core.Answer:
+        return _core.info_mesh(self._core, control)
 
     def __len__(self) -> int:
         return len(self.triangles)

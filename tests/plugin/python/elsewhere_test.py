@@ -155,6 +155,13 @@ def claims_elsewhere(folder):
     claim("sections have wires", [wire.length for wire in wires] == [200])
     wires.write(folder / "elsewhere.dxf")
     claim("and drawings", (folder / "elsewhere.dxf").stat().st_size > 0)
+    for name, shown in (("section", wires), ("model", block), ("curves", found), ("solid", made)):
+        for show, ending in ((shown.to_html, "html"), (shown.to_png, "png"), (shown.to_glb, "glb")):
+            show(folder / f"{name}.{ending}")
+            claim(f"a .{ending} of {name} is there", (folder / f"{name}.{ending}").stat().st_size > 1000)
+    refused(ValueError, "view: iso, front", lambda: block.to_png(folder / "a.png", view="up"))
+    refused(ValueError, "size takes WIDTHxHEIGHT", lambda: block.to_png(folder / "a.png", size=(1, 1)))
+    refused(blossom.Error, "there is no shape in this answer", lambda: block.distance(drill).to_png(folder / "a.png"))
     mesh = drill.mesh(0.05)
     claim("triangles are arrays", len(mesh.triangles) == len(mesh.faces) and set(mesh.groups) == {1, 2, 3})
     mesh.write(folder / "elsewhere.stl")
