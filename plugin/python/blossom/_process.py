@@ -16,6 +16,8 @@ from . import _engine
 
 _DONE = (0, 3)  # complete, within tolerance
 _ANSWERED = (*_DONE, 4, 5)  # stopped, findings
+# What reading lost is warned of when a model is read, and is in `Model.reading`.
+_OF_READING = re.compile(r": (SHAPES ARE MISSING OR WRONG in|read without) \d+ ")
 _PAUSE = 0.02  # seconds between looks whether the work is cancelled
 
 
@@ -58,6 +60,10 @@ class Folder:
         self.path = tempfile.mkdtemp(prefix="blossom-")
         weakref.finalize(self, shutil.rmtree, self.path, True)
 
+    def names(self) -> Dict[str, str]:
+        """What its files are called: as the arguments that they are made of."""
+        return {self.file(each): os.path.splitext(each)[0] for each in os.listdir(self.path)}
+
     def file(self, name: str) -> str:
         return os.path.join(self.path, name.replace(os.sep, "_").replace("\0", "_")[-200:])
 
@@ -68,7 +74,7 @@ def told(
     """The report of a command, as JSON.
 
     names   what files of ours are called in messages
-    folder  where the report may lie
+    folder  where the report may lie, and what else we alone want written
     """
     program = _program()
     report, errors = folder.file("report.json"), folder.file("errors.txt")
@@ -87,7 +93,8 @@ def told(
         raise ValueError(words) if code == 2 else Error(words)
     if code in _DONE:
         for note in said:
-            _warn(note)
+            if not note.startswith(folder.path) and not _OF_READING.search(note):
+                _warn(note)
     return text
 
 

@@ -5,6 +5,7 @@ import json
 import os
 import re
 import shutil
+import tempfile
 from typing import Any, Callable, Dict, List, NoReturn, Optional, Sequence, Tuple
 
 from . import _engine, _program_records
@@ -192,6 +193,7 @@ class Answer:
             self._files[shape] = made
             output += ["-o", made]
         names = {file: name for model in self._models for file, name in model.names.items()}
+        names.update(self._needed.names() if self._needed else {})
         text = told([*self._command, *output], names, self._folder, self._control)
         for file, called in names.items():
             text = text.replace(json.dumps(file)[1:-1], json.dumps(called)[1:-1])
@@ -259,7 +261,7 @@ class Answer:
         self._run("", options + (["--zebra"] if zebra else []))
         if not os.path.exists(made):
             raise Error(f"{file}: there is nothing to see in this answer")
-        shutil.copyfile(made, file)
+        _put(made, file)
         return []
 
     def draw(self, file: str, control: Control) -> None:
@@ -267,7 +269,20 @@ class Answer:
         made = self.made(os.path.splitext(file)[1].lower().lstrip("."))
         if not made:
             raise Error(f"{file}: there is nothing to draw, since no plane meets the model")
-        shutil.copyfile(made, file)
+        _put(made, file)
+
+
+def _put(made: str, file: str) -> None:
+    """Copies it, whole or not at all."""
+    folder = os.path.dirname(os.path.abspath(file))
+    try:
+        with tempfile.TemporaryDirectory(dir=folder, prefix=".blossom-") as beside:
+            copy = shutil.copyfile(made, os.path.join(beside, "copy"))
+            os.replace(copy, file)
+    except FileNotFoundError:
+        raise Error(f"{file}: the folder '{folder}' does not exist, or takes no file") from None
+    except OSError as error:
+        raise Error(f"{file}: cannot be written: {error.strerror or error}") from None
 
 
 # Commands whose answers are shown.
@@ -328,7 +343,8 @@ def of_bytes(data: bytes, name: str, ending: str) -> Model:
         with open(file, "wb") as stream:
             stream.write(data)
     except OSError as error:
-        raise OSError(f"{name}: {file} cannot be written: {error.strerror}") from None
+        room = os.path.dirname(folder.path)
+        raise OSError(f"{name}: the folder of temporary files, {room}: {error.strerror}") from None
     return Model(file, name, folder)
 
 

@@ -196,6 +196,13 @@ def refusals(block, folder):
     refused(ValueError, "shape: is no BREP file", lambda: blossom.shape(b"junk"))
     refused(ValueError, "shape", lambda: blossom.shape(block.to_brep()[:-900]))
     refused(ValueError, "not finite", lambda: blossom.intersect(support.FLOOR * float("nan"), block))
+    refused(ValueError, "planes, line 1: the normal of", lambda: block.sections([((0, 0, 1), (0, 0, 0))]))
+    refused(blossom.Error, "/nowhere/a.png: the folder '/nowhere'", lambda: block.to_png("/nowhere/a.png"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # no file of the package's own is one that the user wants
+        block.face(6).intersect(block.face(5))
+        nothing = block.section((0, 0, 50), (0, 0, 1))
+        refused(blossom.Error, "there is nothing to draw", lambda: nothing.write(folder / "a.dxf"))
     refused(ValueError, "no face 99", lambda: block.face(99))
     refused(ValueError, "Shaft", lambda: block.part("Shaft"))
     refused(ValueError, "edge 99", lambda: block.fillet([99], radius=1))
