@@ -299,7 +299,8 @@ def _full_disk(obj):
     try:
         obj.touch()
         obj.Document.recompute()
-        claim("it says that there is no room", says(obj, "/dev/full cannot be written: No space left"))
+        for words in ("the folder of temporary files", "No space left"):
+            claim("it says that there is no room", says(obj, words))
     finally:
         _process.Folder.file = room
     obj.touch()
