@@ -57,6 +57,7 @@ enum class CommonFaces {
 struct WriteNote {
   std::string text;
   bool within_tolerance = false;  ///< a change of shapes that is no more than their tolerances
+  bool shapes_lost = false;       ///< faces that the format has no way to say are left out
 };
 
 struct Contents;  // of this folder's own
@@ -221,10 +222,11 @@ Model read_model_in_child(const std::filesystem::path& file, const ReadOptions& 
 /// layers, dimensions and the assembly go into STEP. IGES has no assemblies: each instance becomes
 /// a part, called by the names of instances that lead to it; layers have numbers. BREP has shapes
 /// only. A link stays a link, and a device is written to directly.
+/// Faces of which an edge has no curve in their parameters are left out of STEP and IGES.
 /// returns  what the file that the model was read from has beside shapes and this one has not, and
-///          what of shapes had to be written otherwise
-/// throws   Failure if the file cannot be written, or is not BREP and an edge has no curve in the
-///          parameters of its face; BadModel if the ending is not known
+///          what of shapes had to be written otherwise, or is left out
+/// throws   Failure if the file cannot be written, or no face is left; BadModel if the ending is
+///          not known
 std::vector<WriteNote> write_model(const Model& model, const std::filesystem::path& file,
                                    const std::function<void()>& stop = {});
 

@@ -5,7 +5,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -17,6 +19,8 @@
 #include <unistd.h>
 
 #include <BRepTools.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/listening.h"
@@ -226,7 +230,7 @@ FileContent content_of(const Model& model, Contents& contents, Format format,
     return document_of(contents).content(format, contents.unit);
   }
   const ClosedCorners closed(model.shape());
-  if (closed.count() > 0) notes.push_back({bent_text(closed), true});
+  if (closed.count() > 0) notes.push_back({.text = bent_text(closed), .within_tolerance = true});
   return document_of(contents).content(format, contents.unit);
 }
 
@@ -242,21 +246,63 @@ std::optional<Model> halved(const Model& model, std::vector<WriteNote>& notes) {
   return made;
 }
 
+/// Numbers of faces, and of their edges without a curve in the parameters of the face.
+std::map<int, std::set<int>> faces_without_curves(const TopoDS_Shape& shape) {
+  std::map<int, std::set<int>> found;
+  const std::vector<MissingCurve> missing = missing_curves(shape);
+  if (missing.empty()) return found;
+  TopTools_IndexedMapOfShape faces, edges;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  for (const MissingCurve& at : missing)
+    found[faces.FindIndex(at.face)].insert(edges.FindIndex(at.edge));
+  return found;
+}
+
+/// "face 7, whose edge 13 has no curve in the parameters of the face"
+std::string without_text(const std::map<int, std::set<int>>& faces) {
+  std::string text;
+  for (const auto& [face, edges] : faces) {
+    text += (text.empty() ? "without face " : "; face ") + std::to_string(face) +
+            (edges.size() == 1 ? ", whose edge" : ", whose edges");
+    for (const int edge : edges)
+      text += (edge == *edges.begin() ? " " : ", ") + std::to_string(edge);
+    text += edges.size() == 1 ? " has" : " have";
+    text += " no curve in the parameters of the face";
+  }
+  return text + ": only BREP has such faces";
+}
+
+/// Open CASCADE's writers of STEP and IGES break down on such faces.
+///
+/// returns   nothing if there are none
+/// throws    Failure if nothing is left without them
+std::optional<Model> without_odd_faces(const Model& model, const fs::path& file,
+                                       std::vector<WriteNote>& notes) {
+  const std::map<int, std::set<int>> odd = faces_without_curves(model.shape());
+  if (odd.empty()) return {};
+  Model made = model.copy();
+  std::map<int, std::vector<TopoDS_Face>> none;
+  for (const auto& [face, edges] : odd) none[face];
+  made.replace_faces(none);
+  if (made.shape().IsNull())
+    throw Failure(file.string() + ": nothing would be left: " + without_text(odd));
+  notes.push_back({.text = "written " + without_text(odd), .shapes_lost = true});
+  return made;
+}
+
 }  // namespace
 
 std::vector<WriteNote> write_model(const Model& given, const std::filesystem::path& file,
                                    const std::function<void()>& stop) {
   const Format format = format_of(file);
   if (given.shape().IsNull()) throw Failure(file.string() + ": the model is empty");
-  // Open CASCADE's writers break down on them.
-  if (const std::size_t missing = missing_curves(given.shape()).size();
-      format != Format::Glb && keeps_names(file) && missing > 0)
-    throw Failure(file.string() + ": the model has " + std::to_string(missing) +
-                  (missing == 1 ? " edge" : " edges") +
-                  " without a curve in the parameters of the face, which only BREP has");
   std::vector<WriteNote> notes;
-  const std::optional<Model> changed =
-      format == Format::Step ? halved(given, notes) : std::optional<Model>();
+  std::optional<Model> changed;
+  if (format == Format::Step || format == Format::Iges)
+    changed = without_odd_faces(given, file, notes);
+  if (format == Format::Step)
+    if (auto halves = halved(changed ? *changed : given, notes)) changed = std::move(halves);
   const Model& model = changed ? *changed : given;
   FileContent content;
   try {

@@ -50,8 +50,10 @@ void write_model(const occt::Model& model, const std::string& file) {
     stop_if_interrupted();
     enter(Phase::Placing, file);
   });
-  for (const auto& [text, within_tolerance] : notes)
-    within_tolerance ? detail(file + ": " + text) : note(file + ": " + text);
+  for (const occt::WriteNote& told : notes) {
+    told.within_tolerance ? detail(file + ": " + told.text) : note(file + ": " + told.text);
+    if (told.shapes_lost) leave_faces_out();
+  }
 }
 
 void write_json(Json report, const std::string& target) {

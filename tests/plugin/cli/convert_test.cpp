@@ -16,8 +16,10 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Curve.hxx>
 #include <Geom_Plane.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -99,6 +101,26 @@ TEST_F(Convert, RefusesAFaceWithAnOpenWire) {
   }
   const Finished other = blossom({"convert", path("open.brep#1"), "-o", path("one.step")});
   EXPECT_EQ(other.code, 0) << other.err;
+}
+
+// An edge without any curve, of which none can be made.
+TEST_F(Convert, LeavesOutAFaceThatStepHasNoWayToSay) {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(2, 5).Shape();
+  const TopoDS_Face round = TopoDS::Face(TopExp_Explorer(rod, TopAbs_FACE).Current());
+  const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(round, TopAbs_EDGE).Current());
+  const BRep_Builder builder;
+  builder.UpdateEdge(edge, Handle(Geom2d_Curve)(), round, BRep_Tool::Tolerance(edge));
+  builder.UpdateEdge(edge, Handle(Geom_Curve)(), BRep_Tool::Tolerance(edge));
+  occt::Model model;
+  model.add(rod, "rod");
+  model.add(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), "box");
+  occt::write_model(model, path("rod.brep"));
+  const Finished ran = blossom({"convert", path("rod.brep"), "-o", path("rod.step")});
+  EXPECT_EQ(ran.code, 3) << ran.err;
+  EXPECT_NE(ran.err.find("rod.step: written without face 1, whose edge 1 has no curve"),
+            std::string::npos)
+      << ran.err;
+  EXPECT_EQ(occt::read_model(path("rod.step")).face_count(), 8);
 }
 
 TEST_F(Convert, KeepsAFaceWithAWireOfInnerEdges) {

@@ -16,12 +16,15 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom2d_Curve.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <gp_Trsf.hxx>
 
 #include "adapters/occt/base/errors.h"
@@ -298,6 +301,44 @@ TEST(OtherFormats, KeepControlPointsToSixteenDigits) {
         EXPECT_NEAR(back->Weight(i, j), surface->Weight(i, j), 1e-15) << name;
       }
   }
+}
+
+// Without the curve of one of its edges in the parameters of its round face.
+TopoDS_Shape rod_without_a_curve() {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(2, 5).Shape();
+  const TopoDS_Face round = TopoDS::Face(TopExp_Explorer(rod, TopAbs_FACE).Current());
+  const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(round, TopAbs_EDGE).Current());
+  BRep_Builder().UpdateEdge(edge, Handle(Geom2d_Curve)(), round, BRep_Tool::Tolerance(edge));
+  return rod;
+}
+
+TEST(OtherFormats, LeaveOutFacesWithoutCurvesInTheirParametersAndNameThem) {
+  const Folder folder;
+  Model model = box_model();
+  model.add(rod_without_a_curve(), "rod");
+  for (const char* name : {"a.step", "a.iges"}) {
+    const std::vector<WriteNote> notes = write_model(model, folder / name);
+    ASSERT_FALSE(notes.empty()) << name;
+    EXPECT_TRUE(notes.front().shapes_lost);
+    EXPECT_EQ(notes.front().text,
+              "written without face 7, whose edge 13 has no curve in the parameters of the face: "
+              "only BREP has such faces");
+    EXPECT_EQ(read_model(folder / name).face_count(), 8) << name;
+  }
+  EXPECT_TRUE(write_model(model, folder / "a.brep").empty());
+  EXPECT_EQ(read_model(folder / "a.brep").face_count(), 9);
+}
+
+TEST(OtherFormats, RefuseModelsOfWhichNoFaceIsLeft) {
+  const Folder folder;
+  Model model;
+  const TopoDS_Shape rod = rod_without_a_curve();
+  model.add(TopExp_Explorer(rod, TopAbs_FACE).Current(), "round");
+  EXPECT_NE(failure_of([&] {
+              write_model(model, folder / "a.step");
+            }).find("a.step: nothing would be left: without face 1, whose edge 1 has no curve"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(folder / "a.step"));
 }
 
 TEST(Writing, RefusesUnknownEndingsFoldersAndMissingFolders) {
