@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #ifdef BLOSSOM_WITH_LIB3MF
@@ -18,6 +16,7 @@
 #include "adapters/occt/shapes.h"
 #include "plugin/meshes/formats/mesh_formats.h"
 #include "plugin/meshes/formats/text_words.h"
+#include "plugin/meshes/mapped_file.h"
 #include "plugin/reports/text/lower_case.h"
 
 namespace blossom::meshes {
@@ -140,18 +139,6 @@ double rounding_of(const std::vector<Vec3>& points) {
   return most;
 }
 
-std::string content_of(const fs::path& file) {
-  std::error_code error;
-  const std::uint64_t size = fs::file_size(file, error);
-  std::ifstream stream(file, std::ios::binary);
-  if (error || !stream) throw BadContent("there is no such file, or it cannot be read");
-  if (size == 0) throw BadContent("the file is empty");
-  std::string bytes(size, '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(size));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  return bytes;
-}
-
 FileMesh read_content(std::string_view bytes, const std::string& ending) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
@@ -199,7 +186,7 @@ WrittenMesh write_mesh_file(const FileMesh& mesh, const fs::path& file, bool tex
 
 FileMesh read_mesh_file(const fs::path& file) {
   try {
-    FileMesh mesh = read_content(content_of(file), reports::lower_ending(file));
+    FileMesh mesh = read_content(MappedFile(file).bytes(), reports::lower_ending(file));
     for (const Vec3& point : mesh.points)
       for (const double x : point.coordinates)
         if (std::abs(x) > kLargest) throw BadContent("has a coordinate beyond 1e+100");

@@ -20,6 +20,7 @@
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
+#include "core/base/sanitizers.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::testing {
@@ -204,6 +205,23 @@ TEST_F(MeshInputs, WithColoursAreWrittenAs3mf) {
   if (ran.err.find("not built in") != std::string::npos) GTEST_SKIP() << ran.err;
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_TRUE(std::filesystem::exists(path("a.3mf")));
+}
+
+// A file of 4 GiB, most of which is behind its only facet, and takes no room on the disk.
+TEST_F(MeshInputs, AreNotCopiedIntoMemory) {
+#ifdef BLOSSOM_ADDRESS_SANITIZER
+  GTEST_SKIP() << "the sanitizer takes more memory than the limit";
+#endif
+  std::string bytes(80, ' ');
+  const std::uint32_t count = 1;
+  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+  for (const float x : {0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F})
+    bytes.append(reinterpret_cast<const char*>(&x), sizeof x);
+  write_text(path("a.stl"), bytes);
+  std::filesystem::resize_file(path("a.stl"), std::uintmax_t{4} << 30);
+  const Finished ran = blossom({"info", path("a.stl")}, "prlimit --data=1000000000");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("1 triangle"), std::string::npos) << ran.out;
 }
 
 TEST_F(MeshInputs, ThatAreTheSameAreNotApart) {
