@@ -403,7 +403,7 @@ TEST(FilletLimit, OfAnEdgeOfRealFacesIsFoundInAShortTime) {
       std::filesystem::path(data != nullptr ? data : "") / "models/propeller.brep";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
   const Model model = testing::repaired_model(file);
-  const auto limit = fillet_limit(BodyEdges(model.shape()), 29, false, 5);
+  const auto limit = fillet_limit(BodyEdges(model.shape()), 29, false, 0, 5);
   EXPECT_TRUE(!limit || limit->radius < 5);
 }
 

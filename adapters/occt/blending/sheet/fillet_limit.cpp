@@ -18,7 +18,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kMinShare = 1e-3;      // of the radius asked for: smaller ones are not looked at
+constexpr double kMinShare = 1e-3;      // of the most: where no ball is known to roll, this may
 constexpr double kRadiusError = 1e-12;  // relative
 constexpr int kMaxSteps = 100;
 constexpr int kSamples = 16;  // along a contact
@@ -39,7 +39,8 @@ ContactBorder border_of(const FaceTrims& trims, const Coedge& coedge, int suppor
           }};
 }
 
-// All borders of the outer kind but the edge itself and those at which the strip ends.
+// All borders of the outer kind but the edge itself, those at which the strip ends, and smooth
+// ones, over which the ball rolls on.
 void add_borders(const BodyEdges& body, int edge, bool forward, std::vector<ContactBorder>& borders,
                  std::vector<int>& numbers) {
   const EdgeUseInFace& own = body.use(edge, forward);
@@ -49,6 +50,8 @@ void add_borders(const BodyEdges& body, int edge, bool forward, std::vector<Cont
     if (&uses[i] == &own || place == own.next || place == own.previous ||
         uses[i].coedge->degenerated)
       continue;
+    double angle = 0;
+    if (edge_kind(body, uses[i].edge, angle) == EdgeKind::Smooth) continue;
     borders.push_back(border_of(body.trims(own.face), *uses[i].coedge, forward ? 0 : 1));
     numbers.push_back(uses[i].edge);
   }
@@ -119,9 +122,9 @@ double largest_swept(const BodyEdges& body, int edge, bool concave, double low, 
 // Where the curvature of a face ends the strip, or the room is used up, by the secant of a bracket
 // (the Illinois method). Contacts of swept strips are lines and circles, as their borders mostly
 // are, so it is the same all along.
-std::optional<FilletLimit> swept_limit(const BodyEdges& body, int edge, bool concave, double most,
-                                       const Borders& borders) {
-  double low = kMinShare * most, high = most;
+std::optional<FilletLimit> swept_limit(const BodyEdges& body, int edge, bool concave,
+                                       const Interval& radii, const Borders& borders) {
+  double low = radii.from, high = radii.to;
   const auto at_low = room_of(body, edge, concave, low, borders);
   if (!at_low || at_low->least <= 0) return std::nullopt;
   auto at_high = room_of(body, edge, concave, high, borders);
@@ -156,16 +159,17 @@ std::optional<FilletLimit> swept_limit(const BodyEdges& body, int edge, bool con
   return FilletLimit{low, "edge " + std::to_string(cause) + ", which the contact reaches", true};
 }
 
-std::optional<FilletLimit> limit_of(const BodyEdges& body, int edge, bool concave, double most) {
+std::optional<FilletLimit> limit_of(const BodyEdges& body, int edge, bool concave,
+                                    const Interval& radii) {
   Borders borders;
   add_borders(body, edge, true, borders.of, borders.edges);
   add_borders(body, edge, false, borders.of, borders.edges);
-  if (swept_strip(body, edge, concave, kMinShare * most))
-    return swept_limit(body, edge, concave, most, borders);
-  const RolledSupports supports = rolled_supports(body, edge, concave, most);
+  if (swept_strip(body, edge, concave, radii.from))
+    return swept_limit(body, edge, concave, radii, borders);
+  const RolledSupports supports = rolled_supports(body, edge, concave, radii.to);
   const auto found = largest_radius(supports.of[0].whole(), supports.of[1].whole(),
-                                    {supports.of[0].at_edge, supports.of[1].at_edge},
-                                    kMinShare * most, most, borders.of);
+                                    {supports.of[0].at_edge, supports.of[1].at_edge}, radii.from,
+                                    radii.to, borders.of);
   if (!found || found->limit == RadiusLimit::None) return std::nullopt;
   std::string cause = "two walls that face each other";
   if (found->limit == RadiusLimit::Other) cause = "what is at an end of the edge";
@@ -178,9 +182,10 @@ std::optional<FilletLimit> limit_of(const BodyEdges& body, int edge, bool concav
 
 }  // namespace
 
-std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool concave,
+std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool concave, double rolls,
                                         double most) {
-  return unless_it_fails([&] { return limit_of(body, edge, concave, most); });
+  const Interval radii{rolls > 0 ? rolls : kMinShare * most, most};
+  return unless_it_fails([&] { return limit_of(body, edge, concave, radii); });
 }
 
 }  // namespace blossom::occt

@@ -18,6 +18,9 @@ struct FilletLimit {
 
 /// Nothing if it is not below `most`, or cannot be told: the strip's ends, and other edges that are
 /// rounded, are not looked at.
-std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool concave, double most);
+///
+/// rolls   a radius with which a ball is known to roll along the edge; 0: none is
+std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool concave, double rolls,
+                                        double most);
 
 }  // namespace blossom::occt

@@ -220,8 +220,8 @@ bool RadiusSearch::follow_limits(Trial trial, const Chains& chains, Bound& bound
     const int edge = bound.why.edge;
     const FilletEdges* const run = run_of(edge);
     if (!run) return false;
-    const auto limit =
-        fillet_limit(work_.body(), edge, run->at(edge), rung(rung_above(bound.fails)));
+    const auto limit = fillet_limit(work_.body(), edge, run->at(edge), bound.radius,
+                                    rung(rung_above(bound.fails)));
     if (!limit || limit->radius >= bound.fails || limit->radius <= bound.radius) return false;
     bool of_other = false;
     for (const double below : kJustBelow) {
