@@ -305,6 +305,7 @@ std::vector<Interval> CurveBeside::runs(double reach, double past) const {
 // Where the image crosses a knot line of the surface, which it does with a jump of its curvature.
 void CurveBeside::add_knot_lines(const Interval& run, std::vector<double>& joints) const {
   const GeomAdaptor_Surface surface(feet_.surface());
+  if (surface.GetType() <= GeomAbs_Torus) return;  // planes, quadrics and tori have none
   std::array<TColStd_Array1OfReal, 2> knots{
       TColStd_Array1OfReal(1, surface.NbUIntervals(GeomAbs_CN) + 1),
       TColStd_Array1OfReal(1, surface.NbVIntervals(GeomAbs_CN) + 1)};
