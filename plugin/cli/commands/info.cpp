@@ -15,6 +15,7 @@
 #include "core/bounds/box_tree.h"
 #include "plugin/cli/arguments/inputs.h"
 #include "plugin/cli/arguments/options.h"
+#include "plugin/cli/arguments/values.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/meshes/mesh_commands.h"
 #include "plugin/cli/commands/meshes/meshed_input.h"
