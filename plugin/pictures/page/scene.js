@@ -64,15 +64,10 @@ function lineMaterial(colour, width, options = {}) {
   return made;
 }
 
+// Where faces hide them they shine through.
 function addLines(parent, segments, colour, width, order) {
   const geometry = new THREE.LineSegmentsGeometry().setPositions(Float32Array.from(segments));
   add(parent, new THREE.LineSegments2(geometry, lineMaterial(colour, width)), order, kLift.line);
-  return geometry;
-}
-
-// Likewise; where faces hide them they shine through.
-function addShiningLines(parent, segments, colour, width, order) {
-  const geometry = addLines(parent, segments, colour, width, order);
   const material = lineMaterial(colour, width, { depthFunc: THREE.GreaterDepth, depthWrite: false,
                                                  transparent: true });
   material.uniforms.opacity.value = kShine;
@@ -116,7 +111,10 @@ function groupOf(group) {
   made.mesh = addMesh(group.colour, group.opacity, solid ? kOrder.faces : kOrder.translucent);
   made.picked = addMesh(kPickedColour, solid ? 1 : 0.6, solid ? kOrder.picked : kOrder.pickedTranslucent);
   made.picked.visible = false;
-  if (segments.length > 0) addLines(made.outline, segments, kOutlineColour, 1, kOrder.lines);
+  if (segments.length > 0)
+    add(made.outline, new THREE.LineSegments(pointGeometry(Float32Array.from(segments)),
+                                             new THREE.LineBasicMaterial({ color: colourOf(kOutlineColour) })),
+        kOrder.lines, kLift.line);  // thin, of which models have very many
   scene.add(made.object.add(made.outline));
   return made;
 }
@@ -159,7 +157,7 @@ function layerOf(layer) {
                  points: joined(Float32Array, layer.items.map((item) => item.line)) };
   const segments = isMark ? [] : layer.items.flatMap((item) => segmentsOf(item.line));
   if (segments.length > 0)
-    addShiningLines(made.object, segments, layer.colour, kLineWidth[layer.style], kOrder.lines);
+    addLines(made.object, segments, layer.colour, kLineWidth[layer.style], kOrder.lines);
   if (isMark)
     add(made.object, new THREE.Points(pointGeometry(made.points), new THREE.PointsMaterial({
       size: kMarkSize, sizeAttenuation: false, map: markTexture(layer.style, colourOf(layer.colour)),

@@ -132,7 +132,7 @@ function highlight({ group, face, layer, item } = {}) {
   pickedLines.remove(...pickedLines.children);
   if (!layer || layer.isMark) return;
   const same = layer.items.filter((other) => other.label === item.label);
-  addShiningLines(pickedLines, same.flatMap((other) => segmentsOf(other.line)), kPickedColour,
+  addLines(pickedLines, same.flatMap((other) => segmentsOf(other.line)), kPickedColour,
            1.4 * kLineWidth[layer.style], kOrder.pickedLines);
   layer.object.add(pickedLines);
 }
