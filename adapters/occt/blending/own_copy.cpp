@@ -3,7 +3,6 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GeomLib_IsPlanarSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Plane.hxx>
@@ -38,24 +37,33 @@ TopoDS_Shape copied(const TopoDS_Shape& shape, TopTools_DataMapOfShapeShape& kno
   return known.Find(plain).Located(shape.Location(), false).Oriented(shape.Orientation());
 }
 
-// The plane that a spline is, with its normal; null if it is none.
-Handle(Geom_Plane) plane_of(Handle(Geom_Surface) surface) {
-  if (const auto part = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface); !part.IsNull())
-    surface = part->BasisSurface();
-  if (!surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface)) &&
-      !surface->IsKind(STANDARD_TYPE(Geom_BezierSurface)))
-    return {};
-  const GeomLib_IsPlanarSurface made(surface, kFlat);
-  if (!made.IsPlanar()) return {};
+// The plane that a spline is, with its normal; null if it is none. It lies in the hull of its
+// poles.
+template <class Spline>
+Handle(Geom_Plane) plane_of_poles(const Spline& surface) {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-  surface->Bounds(u0, u1, v0, v1);
+  surface.Bounds(u0, u1, v0, v1);
   gp_Pnt point;
   gp_Vec du, dv;
-  surface->D1(0.5 * (u0 + u1), 0.5 * (v0 + v1), point, du, dv);
+  surface.D1(0.5 * (u0 + u1), 0.5 * (v0 + v1), point, du, dv);
   const gp_Vec normal = du.Crossed(dv);
   if (normal.Magnitude() < Precision::SquareConfusion() || du.Magnitude() < Precision::Confusion())
     return {};
-  return new Geom_Plane(gp_Ax3(point, normal, du));
+  const Handle(Geom_Plane) plane = new Geom_Plane(gp_Ax3(point, normal, du));
+  for (int i = 1; i <= surface.NbUPoles(); ++i)
+    for (int k = 1; k <= surface.NbVPoles(); ++k)
+      if (plane->Pln().Distance(surface.Pole(i, k)) > kFlat) return {};
+  return plane;
+}
+
+Handle(Geom_Plane) plane_of(Handle(Geom_Surface) surface) {
+  if (const auto part = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface); !part.IsNull())
+    surface = part->BasisSurface();
+  if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface); !spline.IsNull())
+    return plane_of_poles(*spline);
+  if (const auto patch = Handle(Geom_BezierSurface)::DownCast(surface); !patch.IsNull())
+    return plane_of_poles(*patch);
+  return {};
 }
 
 }  // namespace

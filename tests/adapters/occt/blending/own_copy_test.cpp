@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -63,6 +66,28 @@ TEST(OwnCopy, IsChangedWithoutTheShape) {
   BRep_Builder().UpdateEdge(TopoDS::Edge(after(1)), 0.5);
   EXPECT_LT(BRep_Tool::Tolerance(TopoDS::Edge(before(1))), 0.1);
   EXPECT_EQ(BRep_Tool::Tolerance(TopoDS::Edge(after(1))), 0.5);
+}
+
+// A trapezoid, wherever it is: rounding does not decide whether it is flat.
+TEST(OwnCopy, IsFlattenedWhereSplinesArePlanes) {
+  for (const double place : {0.0, 0.1, 17.3, 120.0, 300.0})
+    for (const double off : {0.0, 1e-7}) {
+      TColgp_Array2OfPnt poles(1, 2, 1, 2);
+      poles(1, 1) = {place, 0, 0};
+      poles(2, 1) = {place + 60, 0, 0};
+      poles(1, 2) = {place + 2.1, 2.1, 30};
+      poles(2, 2) = {place + 57.9, 2.1, 30 + off};
+      const Handle(Geom_BezierSurface) surface = new Geom_BezierSurface(poles);
+      for (const bool turned : {false, true}) {
+        gp_Trsf turn;
+        if (turned) turn.SetRotation(gp_Ax1({1, 2, 3}, {3, -1, 2}), 0.7);
+        const auto moved = Handle(Geom_Surface)::DownCast(surface->Transformed(turn));
+        const TopoDS_Shape copy = own_copy(BRepBuilderAPI_MakeFace(moved, 1e-7).Face());
+        flatten(copy);
+        const bool is_flat = BRep_Tool::Surface(TopoDS::Face(copy))->IsKind("Geom_Plane");
+        EXPECT_EQ(is_flat, off == 0) << place << (turned ? ", turned" : "");
+      }
+    }
 }
 
 }  // namespace
