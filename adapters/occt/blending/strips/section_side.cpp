@@ -3,8 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
+
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/hole_side.h"
@@ -20,6 +26,8 @@ namespace {
 // for their length.
 constexpr double kDepth = 0.1;
 constexpr int kFirstDegree = 3;
+// Radians: as wide as strips have sections of one span, whose middle point is not too far off.
+constexpr double kWidestArc = 2 * std::numbers::pi / 3;
 constexpr int kChecks = 4;  // places between the nodes of a fit, for each node
 
 struct SectionJet {
@@ -34,6 +42,7 @@ class SectionOfStrip {
         sign_(ahead ? 1 : -1),
         across_{strip.contacts[from].w, strip.contacts[1 - from].w} {}
 
+  std::optional<FillSide> arc() const;
   std::optional<FillSide> exact() const;
   SectionJet jet(double x) const;
   FillSide fitted(int degree, double& error) const;
@@ -43,6 +52,36 @@ class SectionOfStrip {
   double t_, sign_;
   Interval across_;  // from > to where the side runs against the strip's parameter
 };
+
+bool is_swept(const Handle(Geom_Surface) & surface) {
+  return surface->IsKind(STANDARD_TYPE(Geom_CylindricalSurface)) ||
+         surface->IsKind(STANDARD_TYPE(Geom_ConicalSurface)) ||
+         surface->IsKind(STANDARD_TYPE(Geom_ToroidalSurface)) ||
+         surface->IsKind(STANDARD_TYPE(Geom_SphericalSurface));
+}
+
+// Of cylinders, cones, tori and spheres the sections are circles, and the way on from a point of
+// one, as of a motion along an axis or about it, or of a growth from an apex, is affine in the
+// point. With P at its ends and in its middle, w the cosine of half of its angle:
+//
+//   w M = (1 + w) P(1/2) - (P(0) + P(1)) / 2,   and the same for the ways on.
+std::optional<FillSide> SectionOfStrip::arc() const {
+  const double angle = std::abs(length(across_));
+  if (!is_swept(strip_.surface) || angle > kWidestArc) return std::nullopt;
+  const SectionJet first = jet(0), middle = jet(0.5), last = jet(1);
+  const double w = std::cos(0.5 * angle);
+  const auto inner = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return (1 + w) * b - 0.5 * (a + c);
+  };
+  const auto in_space = [](const Vec3& p, double weight) { return Vec4{p[0], p[1], p[2], weight}; };
+  return FillSide{
+      {in_space(first.point, 1), in_space(inner(first.point, middle.point, last.point), w),
+       in_space(last.point, 1)},
+      {in_space(first.away, 0), in_space(inner(first.away, middle.away, last.away), 0),
+       in_space(last.away, 0)},
+      {},
+      FillContinuity::G1};
+}
 
 std::optional<FillSide> SectionOfStrip::exact() const {
   const Interval across{std::min(across_.from, across_.to), std::max(across_.from, across_.to)};
@@ -101,6 +140,7 @@ FillSide SectionOfStrip::fitted(int degree, double& error) const {
 FillSide section_side(const RolledStrip& strip, double t, bool ahead, std::size_t from,
                       double tolerance) {
   const SectionOfStrip section(strip, t, ahead, from);
+  if (auto side = section.arc()) return *std::move(side);
   if (auto side = section.exact()) return *std::move(side);
   for (int degree = kFirstDegree; degree <= kMaxFitDegree; ++degree) {
     double error = 0;

@@ -10,8 +10,8 @@
 
 namespace blossom::occt {
 
-/// The section of a strip as a side of a hole: exact where the section lies in one span across,
-/// else fitted by polynomials.
+/// The section of a strip as a side of a hole: exact where it is a circle's arc of a cylinder,
+/// cone, torus or sphere, or lies in one span across; else fitted by polynomials.
 ///
 /// t          of the section
 /// ahead      whether the strip lies at larger t, the hole at smaller
