@@ -143,7 +143,15 @@ class BlendSheet {
   Cut end_cut(const DirectedEdge& half, std::size_t side, int& beyond, int& edge);
   bool turns_back(const Ring& ring, bool on_left);
   Cut grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge);
-  Cut grown_up_to(const Ring& ring, bool on_left, int growing);
+  /// Along which curve a face goes on past a vertex, and at which t of a contact it comes to that.
+  struct GrownWay {
+    int face = 0;
+    double t = 0;
+    Vec3 place;
+    EndCurve down;
+  };
+  std::optional<GrownWay> way_up_to(const Ring& ring, bool on_left, int growing, std::string& why);
+  Cut grow_along(const Ring& ring, bool on_left, const GrownWay& way);
   bool takes_over(const Ring& ring, int taking, int giving, int edge, const TopoDS_Vertex& cut);
   /// Where a strip's end has come to: by its contact, or over an edge.
   struct StripPlace {

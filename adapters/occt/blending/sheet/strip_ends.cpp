@@ -133,23 +133,11 @@ bool BlendSheet::turns_back(const Ring& ring, bool on_left) {
   return across <= straight && !is_cusp;
 }
 
-// Where a border turns back, a face that begins in the vertex grows up to the contact and ends the
-// strip there: the one behind that border, or else the next one round the vertex that comes to it.
-BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge) {
-  std::optional<FilletRefused> first;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    beyond = ring[on_left ? i : ring.size() - 1 - i].face;
-    edge = i > 1 ? 0 : (on_left ? ring[1] : ring.back()).half.edge;
-    try {
-      return grown_up_to(ring, on_left, beyond);
-    } catch (const FilletRefused& refusal) {
-      if (!first) first = refusal;
-    }
-  }
-  throw FilletRefused(*first);
-}
-
-BlendSheet::Cut BlendSheet::grown_up_to(const Ring& ring, bool on_left, int growing) {
+// How a face that begins in the vertex at the end of a strip would go on up to one of its contacts.
+//
+// why   it does not, where it does not
+std::optional<BlendSheet::GrownWay> BlendSheet::way_up_to(const Ring& ring, bool on_left,
+                                                          int growing, std::string& why) {
   const DirectedEdge half = ring.front().half;
   const RolledStrip& strip = strip_of(half).strip;
   const std::size_t side = on_left ? left_side(half) : right_side(half);
@@ -157,28 +145,55 @@ BlendSheet::Cut BlendSheet::grown_up_to(const Ring& ring, bool on_left, int grow
   const double inside = strip_of(half).inside;
   const Interval part =
       is_low_end(half) ? Interval{strip.range.from, inside} : Interval{inside, strip.range.to};
-  const auto refuse_growing = [&](const std::string& cause) {
-    refuse(half, FilletFault::End,
-           "face " + std::to_string(growing) + " at its end " + cause + " on face " +
-               std::to_string(contact.face));
+  const auto told = [&](const std::string& cause) {
+    return "face " + std::to_string(growing) + " at its end " + cause + " on face " +
+           std::to_string(contact.face);
   };
   const auto t = contact_through(strip, side, end_t(half), body_.face(growing), part);
-  if (!t || !lies_on(body_, contact, *t))
-    refuse_growing("would not come, if it went on, to " + contact_words());
+  if (!t || !lies_on(body_, contact, *t)) {
+    why = told("would not come, if it went on, to " + contact_words());
+    return std::nullopt;
+  }
   const TopoDS_Vertex corner = body_.vertex(half);
   const Vec3 place = vec(contact.curve->Value(*t).XYZ());
   const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(corner));
-  const auto down = wall_curve_between(body_.face(growing), body_.face(contact.face), place,
-                                       point_of(corner), reach);
-  if (!down) refuse_growing("cannot go on along a curve up to " + contact_words());
-  const TopoDS_Vertex joined = vertex_in(contact.face, place);
-  const TopoDS_Edge border = wall_border(*down, joined, corner, on_left, contact.face);
+  auto down = wall_curve_between(body_.face(growing), body_.face(contact.face), place,
+                                 point_of(corner), reach);
+  if (!down) {
+    why = told("cannot go on along a curve up to " + contact_words());
+    return std::nullopt;
+  }
+  return GrownWay{growing, *t, place, *std::move(down)};
+}
+
+// Where a border turns back, a face that begins in the vertex grows up to the contact and ends the
+// strip there: the one behind that border, or else the next one round the vertex that comes to it.
+BlendSheet::Cut BlendSheet::grown_cut(const Ring& ring, bool on_left, int& beyond, int& edge) {
+  std::string first;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    std::string why;
+    const int face = ring[on_left ? i : ring.size() - 1 - i].face;
+    if (const auto way = way_up_to(ring, on_left, face, why)) {
+      beyond = face;
+      edge = i > 1 ? 0 : (on_left ? ring[1] : ring.back()).half.edge;
+      return grow_along(ring, on_left, *way);
+    }
+    if (first.empty()) first = why;
+  }
+  refuse(ring.front().half, FilletFault::End, first);
+}
+
+BlendSheet::Cut BlendSheet::grow_along(const Ring& ring, bool on_left, const GrownWay& way) {
+  const DirectedEdge half = ring.front().half;
+  const int face = strip_of(half).strip.contacts[on_left ? left_side(half) : right_side(half)].face;
+  const TopoDS_Vertex corner = body_.vertex(half), joined = vertex_in(face, way.place);
+  const TopoDS_Edge border = wall_border(way.down, joined, corner, on_left, face);
   add_chart(TopoDS::Edge(border.Oriented(TopAbs_FORWARD)),
-            chart_near_face(down->on_strip, at(down->range, 0.5), body_, growing),
-            body_.face(growing));
-  added_[growing].push_back(border);
+            chart_near_face(way.down.on_strip, at(way.down.range, 0.5), body_, way.face),
+            body_.face(way.face));
+  added_[way.face].push_back(border);
   border_.vertices.push_back(corner);
-  return {*t, joined};
+  return {way.t, joined};
 }
 
 namespace {
