@@ -95,8 +95,10 @@ bool run_from_corner(const FaceTrims& trims, const Coedge& a, const Coedge& b, d
   return false;
 }
 
-// Whether a run takes most of a coedge, which reaches farther than a corner does.
-bool fills(const Interval& run, const Coedge& coedge, double reach) {
+// Whether a run takes most of a coedge, which reaches farther than a corner does. A pole is a
+// point: along it runs in the chart what passes it within tolerance.
+bool fills(const Interval& run, const Coedge& coedge, const TopoDS_Edge& edge, double reach) {
+  if (BRep_Tool::Degenerated(edge)) return false;
   const Interval domain = coedge.curve.domain();
   return std::abs(run.to - run.from) > kTouchingPart * (domain.to - domain.from) &&
          distance(point_at(coedge.curve, run.from), point_at(coedge.curve, run.to)) >
@@ -124,8 +126,8 @@ std::optional<Vec2> meeting_place(const FaceTrims& trims, const TrimShapes& shap
   for (const PlanarCrossing& crossing : common.points)
     if (!joined(crossing.a)) return crossing.point;
   for (const PlanarOverlap& run : common.overlaps)
-    if (!(joined(run.a.from) || joined(run.a.to)) || fills(run.a, a, reach) ||
-        fills(run.b, b, reach))
+    if (!(joined(run.a.from) || joined(run.a.to)) || fills(run.a, a, edge_a, reach) ||
+        fills(run.b, b, edge_b, reach))
       return point_at(a.curve, 0.5 * (run.a.from + run.a.to));
   return std::nullopt;
 }

@@ -249,6 +249,9 @@ TEST(RandomSolids, CylindersMayTouchAlongAShortLine) { expect_right(42859); }
 
 TEST(RandomSolids, ASeamMayGoThroughANode) { expect_right(50188); }
 
+// It runs along the pole in the chart there, from one meridian to another.
+TEST(RandomSolids, AnEdgeMayPassAnApexWithinTolerance) { expect_right(1283); }
+
 // Its ends are one vertex, which holds it as a whole.
 TEST(RandomSolids, AnEdgeMayVanishInItsVertex) {
   for (const int seed : {1037, 42829}) expect_right(seed);
