@@ -11,6 +11,7 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeWedge.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp.hxx>
@@ -47,6 +48,12 @@ TopoDS_Shape drafted_block() {
   loft.AddWire(rectangle(0, 0));
   loft.AddWire(rectangle(30 * std::tan(4 * std::numbers::pi / 180), 30));
   return loft.Shape();
+}
+
+// Edges of about 40, 68 and 72 degrees, along which arcs of strips are of up to 140.
+TopoDS_Shape sharp_prism() {
+  BRepBuilderAPI_MakePolygon made({0, 0, 0}, {80, 0, 0}, {60, 50, 0}, Standard_True);
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(made.Wire()).Face(), gp_Vec(10, 5, 40));
 }
 
 TopoDS_Shape with_faces_reversed_in_order(const TopoDS_Shape& of) {
@@ -91,7 +98,7 @@ std::vector<TopoDS_Edge> edges_of(const TopoDS_Shape& body) {
 
 TEST(FilletOfAllEdges, IsTheSameOfTurnedMovedAndScaledBodies) {
   const TopoDS_Shape wedge = BRepPrimAPI_MakeWedge(60, 40, 50, 15, 10, 45, 35).Shape();
-  for (const TopoDS_Shape& body : {drafted_block(), wedge}) {
+  for (const TopoDS_Shape& body : {drafted_block(), wedge, sharp_prism()}) {
     const double volume = taken(body, edges_of(body), 1);
     EXPECT_NEAR(taken(with_faces_reversed_in_order(body), edges_of(body), 1), volume,
                 1e-9 * volume);

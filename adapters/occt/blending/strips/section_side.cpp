@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -26,8 +25,6 @@ namespace {
 // for their length.
 constexpr double kDepth = 0.1;
 constexpr int kFirstDegree = 3;
-// Radians: as wide as strips have sections of one span, whose middle point is not too far off.
-constexpr double kWidestArc = 2 * std::numbers::pi / 3;
 constexpr int kChecks = 4;  // places between the nodes of a fit, for each node
 
 struct SectionJet {
@@ -67,9 +64,9 @@ bool is_swept(const Handle(Geom_Surface) & surface) {
 //   w M = (1 + w) P(1/2) - (P(0) + P(1)) / 2,   and the same for the ways on.
 std::optional<FillSide> SectionOfStrip::arc() const {
   const double angle = std::abs(length(across_));
-  if (!is_swept(strip_.surface) || angle > kWidestArc) return std::nullopt;
-  const SectionJet first = jet(0), middle = jet(0.5), last = jet(1);
   const double w = std::cos(0.5 * angle);
+  if (!is_swept(strip_.surface) || !(w > 0)) return std::nullopt;
+  const SectionJet first = jet(0), middle = jet(0.5), last = jet(1);
   const auto inner = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     return (1 + w) * b - 0.5 * (a + c);
   };
