@@ -186,8 +186,8 @@ TEST_F(Selectors, SayWhatBecomesOfOtherParts) {
                                 "cut", "-o", folder_ / "cut.step"});
   EXPECT_NE(cut.out.find("2 other parts are left out"), std::string::npos) << cut.out;
   // A tool of the same file is not left out.
-  const Finished fuse = blossom({"trim", file_ + "#Lid", file_ + "#Shaft", "--solid", "fuse", "-o",
-                                 folder_ / "fuse.step"});
+  const Finished fuse = blossom(
+      {"trim", file_ + "#Lid", file_ + "#Shaft", "--solid", "fuse", "-o", folder_ / "fuse.step"});
   EXPECT_NE(fuse.out.find("1 other part is left out"), std::string::npos) << fuse.out << fuse.err;
 }
 
