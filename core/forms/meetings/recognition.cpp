@@ -17,6 +17,7 @@ namespace {
 constexpr int kSamples = 5;          // in each direction
 constexpr double kNoNormal = 1e-12;  // of the product of both derivatives: a singular point
 constexpr double kConstant = 1e-12;  // what differs by no more among unit normals is one
+constexpr double kOneWay = 0.5;      // length of the mean of unit normals that are nearly one
 // Of the largest eigenvalue of sums of squares, which are known to 1e-16 of it: one that counts as
 // nothing, and the next one, which has to be more than that. Samples decide whether it was right.
 constexpr double kKernel = 1e-14;
@@ -111,9 +112,7 @@ std::optional<Eigen::Matrix<double, Dim, 1>> kernel_of(
 
 std::optional<Elementary> plane_of(const Samples& all) {
   const Sample mean = mean_of(all);
-  const bool is_constant = std::ranges::all_of(
-      all, [&](const Sample& at) { return distance(at.normal, mean.normal) <= kConstant; });
-  if (!is_constant) return {};
+  if (!(norm(mean.normal) > kOneWay)) return {};
   return Elementary{ElementaryKind::Plane, mean.point, unit(mean.normal)};
 }
 

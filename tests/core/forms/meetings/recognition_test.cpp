@@ -108,6 +108,20 @@ TEST(RecognisedSurface, PlanesAreThoseWhateverTheirParameters) {
   EXPECT_NEAR(found->elementary.centre[2], 3, 1e-14);
 }
 
+// Files round coordinates, which turns the normals of small patches.
+TEST(RecognisedSurface, PlanesMayBeRounded) {
+  Random random = seeded(9);
+  const MeridianFrame frame = drawn_frame(random, 5);
+  BezierSurface surface = turned_surface(straight_meridian(frame, 1, 1, 0, {0.5, 3}), {0, 2});
+  for (RationalBezierPatch& patch : surface.patches.values())
+    for (Vec4& p : patch.points.values())
+      for (int k = 0; k < 3; ++k) p[k] += uniform(random, -1e-11, 1e-11);
+  const auto found = recognised(surface, kWithin);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->elementary.kind, ElementaryKind::Plane);
+  EXPECT_LE(largest_distance(surface, found->elementary), found->gap);
+}
+
 // The middle of one patch is moved by a hundredth of what is allowed, and by ten times that.
 TEST(RecognisedSurface, IsNoneIfOneControlPointIsOffByMoreThanTheBound) {
   Random random = seeded(7);
