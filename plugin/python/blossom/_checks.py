@@ -2,12 +2,11 @@
 """Looks at what users pass, in one place: a wrong type is a TypeError, a wrong value a ValueError,
 and both name the argument, what came and what is wanted."""
 
-import json
 import math
 import numbers
 import os
 import re
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _core
 
@@ -172,7 +171,7 @@ def entity(value: Any, name: str, noun: str) -> int:
 def numbers_of(value: Any, name: str, noun: str) -> List[int]:
     """Numbers of faces or edges, each once, in increasing order."""
     try:
-        listed = [entity(each, name, noun) for each in _in_list(value)]
+        listed = [entity(each, name, noun) for each in in_list(value)]
     except TypeError as error:
         if str(error).startswith(f"{name}:"):
             raise
@@ -180,7 +179,8 @@ def numbers_of(value: Any, name: str, noun: str) -> List[int]:
     return sorted(set(listed))
 
 
-def _in_list(value: Any) -> Any:
+def in_list(value: Any) -> Any:
+    """A word as a list of itself; all else as it is."""
     return [value] if isinstance(value, str) else value
 
 
@@ -202,16 +202,6 @@ def chosen_faces(text: str, name: str, count: int) -> List[int]:
             raise ValueError(f"{name}: there is no face {last} in it, it has {count}")
         made.extend(range(first, last + 1))
     return sorted(set(made))
-
-
-def smoothness(value: Any, name: str, edges: int) -> List[str]:
-    """One word for all edges, or one for each."""
-    words = _in_list(value)
-    wanted = "one of G0, G1, G2, or a list of them is"
-    made = [word(each, name, SMOOTHNESS) for each in members(words, name, wanted)]
-    if len(made) != 1 and len(made) != edges:
-        raise ValueError(f"{name}: one word, or one for each edge is wanted, got {len(made)}")
-    return made
 
 
 def number_list(value: Any, name: str, count: int) -> List[float]:
@@ -250,48 +240,12 @@ def face_pair(value: Any, name: str) -> Tuple[int, int]:
     return (listed[0], listed[1])
 
 
-def radii(value: Any, name: str) -> Tuple[float, Optional[float]]:
-    """A positive number, or a pair of them: at the start and the end."""
-    if isinstance(value, numbers.Real) or isinstance(value, (str, bytes)):
-        return positive(value, name), None
-    first, last = (positive(each, name) for each in number_list(value, name, 2))
-    return first, last
-
-
-def section(value: Any, name: str) -> str:
-    """ "circle", "conic:0.4", "g2" or "g3"."""
-    told = text(value, name)
-    head, _, tail = told.partition(":")
-    try:
-        rho = float(tail)
-    except ValueError:
-        rho = math.nan
-    if told not in ("circle", "g2", "g3") and not (head == "conic" and 0 < rho < 1):
-        raise ValueError(
-            f"{name}: 'circle', 'conic:RHO' with RHO between 0 and 1, 'g2' or 'g3' is wanted, "
-            f"got '{told}'"
-        )
-    return told
-
-
 def angle(value: Any, name: str) -> float:
     """Above 0 and not above pi: what is more was meant as degrees."""
     made = positive(value, name)
     if made > math.pi:
         raise ValueError(f"{name}: {made} is above pi; radians are wanted")
     return made
-
-
-def chamfer_size(
-    distance: Any, turn: Any
-) -> Tuple[float, Optional[float], Optional[float]]:
-    """The first distance, and the second one or an angle, if there is one."""
-    first, second = radii(distance, "distance")
-    if turn is None:
-        return first, second, None
-    if second is not None:
-        raise ValueError("angle: a second distance, or an angle is wanted, not both")
-    return first, None, angle(turn, "angle")
 
 
 NamedPlane = Tuple[Triple, Triple, str, Optional[float]]
@@ -405,64 +359,6 @@ def edges(value: Any, name: str) -> Tuple[List[int], str]:
     if isinstance(value, str) and _entity_number(value, "edge") is None:
         return [], word(value, name, EDGE_WORDS)
     return numbers_of(value, name, "edge"), ""
-
-
-EdgeWish = Tuple[List[int], str, Optional[Tuple[int, int]]]
-
-
-def edge_wish(question: str, chosen: Any, between: Any) -> EdgeWish:
-    """Numbers of edges, a word for them, and two faces that they are between; one at least."""
-    listed, word_of = edges(chosen, "edges")
-    pair = None if between is None else face_pair(between, "between")
-    if not listed and not word_of and pair is None:
-        raise ValueError(f"{question} needs edges, or two faces that they are between")
-    return listed, word_of, pair
-
-
-OwnRadii = List[Tuple[int, float, str]]
-
-
-def fillet_size(
-    radius: Any, law: Any, full_round: bool, wish: EdgeWish
-) -> Tuple[float, str, OwnRadii]:
-    """The radius, or a law as JSON, and what edges have in place of these: their numbers with one
-    or the other. A full round has its own."""
-    if full_round:
-        if radius is not None or law is not None:
-            raise TypeError("fillet: full_round goes without radius and law")
-        return 1.0, "", []
-    if (radius is None) == (law is None):
-        raise TypeError("fillet: a radius or a law is wanted, and just one of them")
-    if law is not None:
-        return (*_radius_or_law(law, "law"), [])
-    if not isinstance(radius, Mapping):
-        return (*_radius_or_law(radius, "radius"), [])
-    own = []
-    for edge, each in radius.items():
-        if edge is not None:
-            (number,) = numbers_of([edge], "radius", "edge")
-            own.append((number, *_radius_or_law(each, f"radius: edge {number}")))
-    listed, word, between = wish
-    if None in radius:
-        return (*_radius_or_law(radius[None], "radius: None"), own)
-    without = sorted({*listed} - {edge for edge, _, _ in own})
-    if word or between or without:
-        which = f"edge {without[0]} has" if without else "some edges have"
-        raise ValueError(f"radius: {which} none; that of all others is wanted, as {{None: 2}}")
-    return 1.0, "", own
-
-
-def _radius_or_law(value: Any, name: str) -> Tuple[float, str]:
-    """A radius, or a law as JSON; a pair of radii is a law, too."""
-    if isinstance(value, Mapping):
-        try:
-            return 1.0, json.dumps(dict(value))
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"{name}: {error}") from None
-    if name == "law":
-        raise TypeError(f"law: a mapping is wanted, got {kind(value)}")
-    first, last = radii(value, name)
-    return first, "" if last is None else json.dumps({"law": "linear", "radii": [first, last]})
 
 
 _KNOWN_OPTIONS = (

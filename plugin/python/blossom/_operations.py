@@ -3,7 +3,7 @@
 
 from typing import Any, List, Literal, Mapping, Optional, Tuple, Union, overload
 
-from . import _checks, _core, _results, _shapes
+from . import _blend_checks, _checks, _core, _results, _shapes
 from ._bodies import Chamfer, Fill, Fillet, Solid, Trim, Watertight
 from ._forms import Conversion, Subdivision, Whole
 
@@ -106,10 +106,10 @@ class Operations(_results.MadeShape):
         """
         if isinstance(radius, Mapping) and between is None and not isinstance(edges, str):
             edges = list(edges) or [edge for edge in radius if edge is not None]
-        chosen = _checks.edge_wish("fillet", edges, between)
+        chosen = _blend_checks.edge_wish("fillet", edges, between)
         fully = _checks.flag(full_round, "full_round")
-        size = _checks.fillet_size(radius, law, fully, chosen)
-        across = _checks.section(section, "section")
+        size = _blend_checks.fillet_size(radius, law, fully, chosen)
+        across = _blend_checks.section(section, "section")
         back = None if setback is None else _checks.positive(setback, "setback")
         whole = _checks.flag(partial, "partial")
         control = _checks.control(options)
@@ -134,8 +134,8 @@ class Operations(_results.MadeShape):
                    and on the other
         angle      instead of the second one: between the chamfer and the first face, radians
         """
-        chosen = _checks.edge_wish("chamfer", edges, between)
-        size = _checks.chamfer_size(distance, angle)
+        chosen = _blend_checks.edge_wish("chamfer", edges, between)
+        size = _blend_checks.chamfer_size(distance, angle)
         whole = _checks.flag(partial, "partial")
         return Chamfer(_core.chamfer(self._core_model(), *chosen, *size, whole, _checks.control(options)))
 
@@ -158,7 +158,7 @@ class Operations(_results.MadeShape):
         sew         the shape is the model with the patches, not the patches alone
         """
         numbers = _checks.numbers_of(edges, "edges", "edge")
-        words = _checks.smoothness(continuity, "continuity", len(numbers))
+        words = _blend_checks.smoothness(continuity, "continuity", len(numbers))
         return Fill(
             _core.fill(
                 self._core_model(),
