@@ -24,7 +24,7 @@ namespace blossom::occt {
 namespace {
 
 // Of a spline's range: so far it is looked at beyond its bounds, so that what ends on them is found
-// to go on. Curves go on beyond boxes by `kBeyondBox`, less than this.
+// to go on. A choice; curves that go on beyond boxes farther than that are searched for.
 constexpr double kBeyondSpline = 0.05;
 
 // The parameters of a line at which it is in a ball that holds the box; empty if it misses it.
